@@ -99,8 +99,7 @@ Site site_of(const std::string& name, const Survey& survey) {
 
 // That the experiment gives a covariate; nothing if it has no such.
 std::optional<Range> range_in(const Survey& survey, const Covariate& covariate) {
-  const bool of_tension =
-      covariate.kind == CovariateKind::load || covariate.kind == CovariateKind::tension;
+  const bool of_tension = is_of_tensions(covariate);
   const std::string name = of_tension ? "motor_tension_N" : covariate_name(covariate);
   for (const SurveyedColumn& column : survey.columns) {
     if (column.name != name) continue;

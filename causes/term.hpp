@@ -65,6 +65,10 @@ struct Covariate {
   Range seen;
   bool logarithmic = false;  // in a product
 };
+// What the tensions themselves say, not what is set or recorded.
+inline bool is_of_tensions(const Covariate& covariate) {
+  return covariate.kind == CovariateKind::load || covariate.kind == CovariateKind::tension;
+}
 // "humidity_pct", "load", "T2"
 std::string covariate_name(const Covariate& covariate);
 // That of this name, without middle and range. A name that means nothing else is a column's.

@@ -44,6 +44,7 @@ enum class NoteKind : std::uint8_t {
   reversed,                // of a time series: pulling looks like releasing
   against_motion,          // of a time series: its column direction says otherwise than it moves
   sparse,                  // of a time series: tensions that too few samples have
+  outside_law,             // beyond the range that a law of the model was seen in
 };
 
 inline const char* note_kind_name(NoteKind kind) {
@@ -78,8 +79,9 @@ inline const char* note_kind_name(NoteKind kind) {
                              "not_following",
                              "reversed",
                              "against_motion",
-                             "sparse"};
-  static_assert(names.size() == static_cast<std::size_t>(NoteKind::sparse) + 1);
+                             "sparse",
+                             "outside_law"};
+  static_assert(names.size() == static_cast<std::size_t>(NoteKind::outside_law) + 1);
   return names[static_cast<std::size_t>(kind)];
 }
 

@@ -97,6 +97,9 @@ std::string estimate(const EstimatedParameter& parameter, double value) {
 }
 
 std::string cause_text(const NamedCause& cause) {
+  if (const Term* term = term_of(*cause.effect.cause)) {
+    return formula(*term, cause.effect.values) + ", " + intervals_text(cause);
+  }
   std::string text = cause.name;
   for (const EstimatedParameter& parameter : cause.parameters) {
     text += ", " + parameter_text(parameter, cause.effect);
@@ -115,10 +118,7 @@ std::string parameter_unit(const NamedCause& cause, std::size_t i) {
 }
 
 std::string cause_sentence(const NamedCause& cause) {
-  const Term* term = term_of(*cause.effect.cause);
-  if (term == nullptr) return cause.meaning + ": " + cause_text(cause);
-  return fmt::format("{}: {}, {}", cause_meaning(cause), formula(*term, cause.effect.values),
-                     intervals_text(cause));
+  return cause_meaning(cause) + ": " + cause_text(cause);
 }
 
 std::string size_with_interval(const NamedCause& cause) {

@@ -20,7 +20,8 @@ std::string joined_causes(const std::vector<std::string>& names);
 // To as many places as the interval is known.
 std::string estimate(const EstimatedParameter& parameter, double value);
 
-// "tube_friction, mu = 0.090 (0.087 to 0.093; the hardware says 0.180, literature 0.05 to 0.2)"
+// "tube_friction, mu = 0.090 (0.087 to 0.093; the hardware says 0.180, literature 0.05 to 0.2)"; of
+// a law "phi' = phi (1 + 0.0083 (humidity_pct - 50)), 95 % interval of a 0.0079 to 0.0087".
 std::string cause_text(const NamedCause& cause);
 
 // Of a cause of the library, or a law's own; and in which unit its i-th parameter is.

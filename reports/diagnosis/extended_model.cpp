@@ -17,7 +17,9 @@ std::string extended_model_toml(const DiagnosisReport& report,
                                              build.number, one_line(report.data.file))};
   if (report.data.simulated) lines.push_back(fmt::format("The data are {}.", simulated_text));
   lines.push_back(fmt::format("Verdict: {}", verdict_name(result.verdict)));
-  for (const NamedCause& cause : result.causes) lines.push_back(cause_text(cause));
+  for (const NamedCause& cause : result.causes) {
+    lines.push_back(capitalised(cause_sentence(cause)));
+  }
   for (const auto& names : result.indistinguishable) {
     lines.push_back(fmt::format("The data cannot tell apart: {}", fmt::join(names, ", ")));
   }
