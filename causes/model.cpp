@@ -65,6 +65,14 @@ bool names_routings(const Model& model) {
   });
 }
 
+bool treats_fingers_alike(const Model& model, int fingers) {
+  return core::treats_fingers_alike(effective_hardware(model), fingers) &&
+         std::none_of(model.effects.begin(), model.effects.end(), [&](const Effect& effect) {
+           const Term* term = term_of(*effect.cause);
+           return term != nullptr && term->site.finger != 0 && term->site.finger <= fingers;
+         });
+}
+
 Grasp actual_grasp(const Model& model, const std::string& word, Grasp recorded) {
   Grasp grasp = recorded;
   for (const Effect& effect : model.effects) {

@@ -44,6 +44,9 @@ bool reaches(const Model& model, Reach reach);
 // Whether an effect on contacts is about one routing.
 bool names_routings(const Model& model);
 
+// Whether neither hardware nor laws tell so many fingers apart.
+bool treats_fingers_alike(const Model& model, int fingers);
+
 Grasp actual_grasp(const Model& model, const std::string& word, Grasp recorded);
 std::vector<std::size_t> seized_contacts(const Model& model, const std::string& word,
                                          const Network& network);

@@ -215,7 +215,7 @@ std::vector<std::string> notes(const ExploreReport& report) {
   const ExploreOptions& options = report.options;
   const Hardware hardware = effective_hardware(options.model);
   const bool equivalent = treats_fingers_alike(options.grasps, options.generator.fingers) &&
-                          treats_fingers_alike(hardware, options.generator.fingers);
+                          treats_fingers_alike(options.model, options.generator.fingers);
   std::vector<std::string> notes = absent_finger_notes(options.model, options.generator.fingers);
   if (report.uncertainty) {
     for (std::string& note : range_notes(hardware, report.uncertainty->ranges)) {
@@ -223,10 +223,11 @@ std::vector<std::string> notes(const ExploreReport& report) {
     }
   }
   if (equivalent || options.generator.identity == FingerIdentity::distinct) return notes;
-  notes.insert(notes.begin(),
-               "the grasps or the hardware tell the fingers apart, but routings were listed for "
-               "identical fingers: each was evaluated with the finger numbers of its word only; "
-               "--distinct-fingers evaluates all");
+  notes.insert(
+      notes.begin(),
+      "the grasps, the hardware or a law tell the fingers apart, but routings were listed for "
+      "identical fingers: each was evaluated with the finger numbers of its word only; "
+      "--distinct-fingers evaluates all");
   return notes;
 }
 

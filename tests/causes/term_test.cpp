@@ -407,6 +407,15 @@ TEST(TermSite, OfARunRestrictsMotorAndChannelsLikewise) {
   }
 }
 
+TEST(TermSite, OfAFingerTellsTheFingersApart) {
+  Site site = contacts(ContactKind::tube);
+  EXPECT_TRUE(treats_fingers_alike(model_of(constant(Target::exponent, site), {0.1}), 2));
+  site.finger = 3;
+  const Model model = model_of(constant(Target::exponent, site), {0.1});
+  EXPECT_TRUE(treats_fingers_alike(model, 2));
+  EXPECT_FALSE(treats_fingers_alike(model, 3));
+}
+
 // ---- one grammar: what the library names is a term, too ----
 
 struct Twin {

@@ -98,7 +98,7 @@ TEST(StoredRankingDocument, HasTheNotesOfItsExploration) {
   ranking.report.options.model.hardware.fingers = {finger_with(1, tip_mu, 0.5),
                                                    finger_with(7, tip_mu, 0.5)};
   const std::string said = text(stored_ranking_document(ranking, {}));
-  EXPECT_TRUE(testing::has(said, "Note: the grasps or the hardware tell the fingers apart"));
+  EXPECT_TRUE(testing::has(said, "Note: the grasps, the hardware or a law tell the fingers apart"));
   EXPECT_TRUE(testing::has(said, "Note: [finger.7] of the hardware changes nothing"));
   EXPECT_EQ(Json::parse(stored_ranking_json(ranking))["notes"].size(), 2U);
 }

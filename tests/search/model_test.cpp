@@ -6,6 +6,7 @@
 #include <string>
 
 #include "causes/library.hpp"
+#include "causes/term.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "search/evaluate/evaluation.hpp"
@@ -84,6 +85,40 @@ TEST(DesignUnderAModel, HasASeizedContactInTheRoutingThatItNamesOnly) {
     EXPECT_EQ(value(values, Objective::uniformity_mean), 0);
     EXPECT_EQ(evaluator.evaluate(tr2), evaluate(Model{}, "M-1-T-2-M", parse_grasps("none", 2)));
   }
+}
+
+Effect law_at(const char* site, double a) {
+  Term term;
+  term.site = site_named(site).value();
+  return {&law(term), {}, {a}};
+}
+
+TEST(DesignUnderAModel, HasALawOfARoutingInThatRoutingOnly) {
+  Model model;
+  add_effect(model, law_at("tube 2 of M-1-T-2-F", 0.5));
+  DesignEvaluator evaluator(model, parse_grasps("none", 2));
+  const double tube = 0.18 * std::numbers::pi;
+  for (int turn = 0; turn < 2; ++turn) {
+    const ObjectiveValues values = evaluator.evaluate(parse_routing("M-1-T-2-F"));
+    EXPECT_NEAR(value(values, Objective::uniformity_mean), std::exp(-3.5 * tube), 1e-9);
+    const ObjectiveValues others = evaluator.evaluate(parse_routing("M-1-T-2-M"));
+    EXPECT_EQ(others, evaluate(Model{}, "M-1-T-2-M", parse_grasps("none", 2)));
+  }
+}
+
+// Of one law on the held finger's tube, and one of the rig's.
+TEST(DesignUnderAModel, HasLawsOfDesignsAndNoneOfRunsGroupsChannelsAndMotor) {
+  Model model;
+  add_effect(model, law_at("tube of held fingers", 1));
+  Model of_rig = model;
+  for (const char* site : {"sheath in run 3", "tube in group B"}) {
+    add_effect(of_rig, law_at(site, 1));
+  }
+  EXPECT_EQ(effects_left_out_of_designs(of_rig).size(), 2U);
+  const ObjectiveValues values = evaluate(model, "M-1-T-2-F", parse_grasps("1", 2));
+  EXPECT_NEAR(value(values, Objective::uniformity_mean), std::exp(-4 * 0.18 * std::numbers::pi),
+              1e-9);
+  EXPECT_EQ(evaluate(of_rig, "M-1-T-2-F", parse_grasps("1", 2)), values);
 }
 
 TEST(DesignUnderAModel, MayBeMovedWithItsEvaluator) {
