@@ -57,6 +57,11 @@ bool reaches(const Model& model, Reach reach) {
                      [&](const Effect& effect) { return effect.cause->reach() == reach; });
 }
 
+bool changes_exponents(const Model& model) {
+  return reaches(model, Reach::exponent) || reaches(model, Reach::conditions) ||
+         reaches(model, Reach::load);
+}
+
 bool names_routings(const Model& model) {
   return std::any_of(model.effects.begin(), model.effects.end(), [](const Effect& effect) {
     const Term* term = term_of(*effect.cause);

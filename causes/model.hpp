@@ -41,6 +41,8 @@ Hardware effective_hardware(Hardware hardware, const std::vector<Effect>& effect
 
 // Of the effects' reaches, whether one is this.
 bool reaches(const Model& model, Reach reach);
+// Whether the exponents of some contacts are others than hardware and a routing's network give.
+bool changes_exponents(const Model& model);
 // Whether an effect on contacts is about one routing.
 bool names_routings(const Model& model);
 

@@ -31,8 +31,7 @@ EvaluationScope scope_for(const std::vector<Objective>& objectives, const Score&
 }
 
 bool may_not_converge(const Model& model) {
-  return reaches(model, Reach::contact) || reaches(model, Reach::load) ||
-         reaches(model, Reach::conditions);
+  return reaches(model, Reach::contact) || changes_exponents(model);
 }
 
 namespace {

@@ -21,8 +21,7 @@ bool have_like_fingers(const Model& model) {
 }  // namespace
 
 bool routings_share_states(const Model& model) {
-  return !reaches(model, Reach::contact) && !reaches(model, Reach::load) &&
-         !reaches(model, Reach::conditions) && have_like_fingers(model);
+  return !reaches(model, Reach::contact) && !changes_exponents(model) && have_like_fingers(model);
 }
 
 bool hold_one_finger_at_most(const GraspSet& grasps) {

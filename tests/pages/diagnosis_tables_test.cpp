@@ -1,6 +1,7 @@
 // The cells of a diagnosis' tables, of results made by hand.
 #include <gtest/gtest.h>
 
+#include "causes/term.hpp"
 #include "pages/diagnosis/diagnosis_marks.hpp"
 #include "pages/diagnosis/diagnosis_values.hpp"
 #include "tests/pages/diagnosed.hpp"
@@ -99,6 +100,27 @@ TEST(CauseValues, SayThatARunnerUpExplainsAsWellWhereItDoesToOneDecimal) {
     report.result.causes[0].runner_up = RunnerUp{"wear", less};
     EXPECT_EQ(cause_values(report)["named"][0]["runner_up"]["as_well"], as_well);
   }
+}
+
+TEST(CauseValues, SayALawInWordsAndAsAFormula) {
+  DiagnosisReport report = plain_report();
+  name_tube_friction(report);
+  Term term;
+  term.site.kind = ContactKind::sheath;
+  term.form = Form::linear;
+  term.x = covariate_named("humidity_pct");
+  term.x.middle = 50;
+  term.x.seen = {20, 80};
+  NamedCause& cause = report.result.causes[0];
+  cause.effect = {&law(term), {}, {0.0083}};
+  cause.name = effect_name(cause.effect);
+  cause.parameters = {{"a", "1", 0.0083, 0.0079, 0.0087, 0, {}, false}};
+  const Json named = cause_values(report)["named"][0];
+  EXPECT_EQ(named["meaning"], "Sheath friction grows with humidity_pct");
+  EXPECT_EQ(named["detail"], "phi' = phi (1 + 0.0083 (humidity_pct - 50))");
+  const std::string page = diagnosis_html(report);
+  EXPECT_TRUE(contains(page, "95 % interval of a 0.0079 to 0.0087"));
+  EXPECT_TRUE(contains(page, "1/humidity_pct"));
 }
 
 // Beyond nine columns of the user's own that vary.
