@@ -67,16 +67,19 @@ class SiteReader {
   }
 
  private:
+  // Where both are, the run stands first; a name may have such words in it itself.
   void split_off_run_and_group() {
-    const std::size_t run = rest_.find(run_mark);
-    const std::size_t group = rest_.rfind(group_mark);
-    if (group != std::string_view::npos && (run == std::string_view::npos || group > run)) {
-      site_.group = rest_.substr(group + group_mark.size());
-      rest_ = rest_.substr(0, group);
-    }
-    if (run == std::string_view::npos) return;
-    site_.run = rest_.substr(run + run_mark.size());
-    rest_ = rest_.substr(0, run);
+    const bool has_run = rest_.find(run_mark) < rest_.find(group_mark);
+    site_.group = split_off(has_run ? rest_.rfind(group_mark) : rest_.find(group_mark), group_mark);
+    if (has_run) site_.run = split_off(rest_.find(run_mark), run_mark);
+  }
+
+  // What stands behind the mark at this place, if it is there.
+  std::string split_off(std::size_t at, std::string_view mark) {
+    if (at == std::string_view::npos) return "";
+    std::string name(rest_.substr(at + mark.size()));
+    rest_ = rest_.substr(0, at);
+    return name;
   }
 
   bool read_place() {
@@ -235,7 +238,11 @@ std::string site_name(const Site& site) {
   return name;
 }
 
-std::optional<Site> site_named(const std::string& name) { return SiteReader(name).site(); }
+std::optional<Site> site_named(const std::string& name) {
+  std::optional<Site> site = SiteReader(name).site();
+  if (site && site_name(*site) != name) site.reset();
+  return site;
+}
 
 std::string formula(const Term& term, const std::vector<double>& values) {
   const std::string x = covariate_name(term.x);

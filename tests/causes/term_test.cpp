@@ -612,12 +612,27 @@ TEST(Law, IsWrittenWithTheSignsOfItsNumbers) {
 Site site_of(const char* name) { return site_named(name).value(); }
 
 TEST(SiteName, IsReadBack) {
-  for (const char* name :
-       {"motor", "all channels", "T3", "a", "h1", "tube", "sheath", "bearing", "block",
-        "tube of finger 1", "tube of held fingers", "sheath of closing fingers", "bearing 3",
-        "tube 2 of M-1-T-2-F", "sheath of finger 2 of held fingers of M-1-T-2-M in run 3",
-        "tube in run left glove in group B", "T3 in run 7", "motor in group winch 2",
-        "all channels in run a in run b"}) {
+  for (const char* name : {"motor",
+                           "all channels",
+                           "T3",
+                           "a",
+                           "h1",
+                           "tube",
+                           "sheath",
+                           "bearing",
+                           "block",
+                           "tube of finger 1",
+                           "tube of held fingers",
+                           "sheath of closing fingers",
+                           "bearing 3",
+                           "tube 2 of M-1-T-2-F",
+                           "sheath of finger 2 of held fingers of M-1-T-2-M in run 3",
+                           "tube in run left glove in group B",
+                           "T3 in run 7",
+                           "motor in group winch 2",
+                           "all channels in run a in run b",
+                           "T1 in group a in run b",
+                           "T1 in group a in group b"}) {
     const auto site = site_named(name);
     ASSERT_TRUE(site) << name;
     EXPECT_EQ(site_name(*site), name);
@@ -636,9 +651,10 @@ TEST(SiteName, IsReadBack) {
 }
 
 TEST(SiteName, OfNothingIsNoSite) {
-  for (const char* name : {"", "tubes", "T", "T0", "motors", "tube of finger 0", "tube of ",
-                           "tube of finger x", "tube 0", "sheath of finger 99999999999999999999",
-                           "motor of finger 1", "channels", "tube of finger 1 2"}) {
+  for (const char* name :
+       {"", "tubes", "T", "T0", "motors", "tube of finger 0", "tube of ", "tube of finger x",
+        "tube 0", "sheath of finger 99999999999999999999", "motor of finger 1", "channels",
+        "tube of finger 1 2", "tube in run ", "tube 01", "T3 in group "}) {
     EXPECT_FALSE(site_named(name)) << name;
   }
 }
