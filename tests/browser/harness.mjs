@@ -159,12 +159,17 @@ export async function accessibilityFaults(page, rules = null) {
     });
 }
 
+// Pictures for people, which no assertion reads: they take longer than all that is asserted.
+const isDrawn = Boolean(process.env.REEVE_SCREENSHOTS);
+
 export async function screenshot(page, name, variant) {
+  if (!isDrawn) return;
   mkdirSync(screenshots, { recursive: true });
   await page.screenshot({ path: join(screenshots, `${name}-${variant}.png`), fullPage: true });
 }
 
 export async function print(page, name) {
+  if (!isDrawn) return;
   mkdirSync(screenshots, { recursive: true });
   await page.pdf({ path: join(screenshots, `${name}-print.pdf`), format: "A4" });
 }
