@@ -91,9 +91,10 @@ TEST(TensionTable, HasNoNumberWhereARoutingHasNoSuchSegment) {
 
 TEST(TensionTable, IsOfRoutingsThatAMotorPulls) {
   EXPECT_EQ(testing::input_error([] {
-              filled({"M-1-M", "F-2-F"});
-            }).substr(0, 15),
-            "routing 'F-2-F'");
+              filled({"M-1-M", "F-1-F"});
+            }),
+            "routing 'F-1-F': the tendon with T1 is not actuated: it has no M and no P, so the "
+            "motor cannot pull it");
 }
 
 }  // namespace
