@@ -45,12 +45,10 @@ TEST(BelievedScatter, IsExceededWhereItDoesNotSuffice) {
   PlantingPlan plan;
   plan.noise.mounted_exponent = 0.25;
   plan.runs = 12;
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const DiagnosisResult result = diagnosed(plan, seed);
-    EXPECT_TRUE(result.causes.empty()) << seed;
-    EXPECT_TRUE(is_beyond_belief(result.mounting)) << seed;
-    EXPECT_FALSE(result.mounting.is_bounded) << seed;
-  }
+  const DiagnosisResult result = diagnosed(plan, 1);
+  EXPECT_TRUE(result.causes.empty());
+  EXPECT_TRUE(is_beyond_belief(result.mounting));
+  EXPECT_FALSE(result.mounting.is_bounded);
 }
 
 }  // namespace

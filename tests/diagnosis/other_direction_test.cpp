@@ -77,18 +77,18 @@ TEST(TheOtherDirection, IsNotSeenWhereOtherRowsAreAsFarOff) {
   EXPECT_FALSE(beside_others(0));
 }
 
-// Whatever else is wrong with the rig.
+// Whatever else is wrong with the rig, with each kind of noise by turns.
 TEST(TheOtherDirection, IsNotSeenWhereItIsRight) {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    for (const EffectKind effect : library_effects()) {
-      PlantingPlan plan;
-      plan.effects = {effect};
-      plan.size = EffectSize::large;
-      plan.noise = seed % 2 == 0 ? high_noise : low_noise;
-      plan.noise.tail_degrees = seed % 3 == 0 ? 3 : 0;
-      const auto note = odd_directions(planted_directions(plan, seed));
-      EXPECT_FALSE(note) << planted_name(effect) << ' ' << seed << ' ' << note->text;
-    }
+  std::uint64_t seed = 0;
+  for (const EffectKind effect : library_effects()) {
+    ++seed;
+    PlantingPlan plan;
+    plan.effects = {effect};
+    plan.size = EffectSize::large;
+    plan.noise = seed % 2 == 0 ? high_noise : low_noise;
+    plan.noise.tail_degrees = seed % 3 == 0 ? 3 : 0;
+    const auto note = odd_directions(planted_directions(plan, seed));
+    EXPECT_FALSE(note) << planted_name(effect) << ' ' << seed << ' ' << note->text;
   }
 }
 

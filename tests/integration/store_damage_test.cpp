@@ -84,32 +84,32 @@ TEST_F(DamagedStore, WithAShardThatWasNotExplored) {
   expect_refused("shard 2 of 1: expected what explore saved of it" + was_changed);
 }
 
-// Every byte of the header and some of every page, each changed in two ways. Who only reads opens
-// the file so, and is asked now and then.
+// Every byte of the header and some of every page, changed in its last bit or in all of them by
+// turns. Who only reads opens the file so, and is asked now and then.
 TEST_F(DamagedStore, StaysAsItIsWhereItIsRefused) {
   std::vector<std::size_t> places;
   for (std::size_t place = 0; place < 100; ++place) places.push_back(place);
   for (std::size_t place = 100; place < whole_.size(); place += 2111) places.push_back(place);
   int refused = 0;
-  for (const std::size_t place : places) {
-    for (const unsigned mask : {1U, 0xffU}) {
-      SCOPED_TRACE(std::to_string(place) + " ^ " + std::to_string(mask));
-      std::string damaged = whole_;
-      damaged[place] = static_cast<char>(static_cast<unsigned char>(damaged[place]) ^ mask);
-      folder_.write("s.db", damaged);
-      std::vector<ProcessResult> results;
-      if (place % 10 == 0) results = {run(readers_of_it[0]), run(readers_of_it[1])};
-      results.push_back(explore(asked_));
-      for (const ProcessResult& result : results) {
-        if (result.exit_code == 0) continue;
-        EXPECT_EQ(result.exit_code, 2) << result.err;
-        EXPECT_TRUE(read_text(store()) == damaged) << result.err;
-        ++refused;
-      }
-      for (const char* left : {"s.db-wal", "s.db-shm"}) fs::remove(folder_.path() / left);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::size_t place = places[i];
+    const unsigned mask = i % 2 == 0 ? 1U : 0xffU;
+    SCOPED_TRACE(std::to_string(place) + " ^ " + std::to_string(mask));
+    std::string damaged = whole_;
+    damaged[place] = static_cast<char>(static_cast<unsigned char>(damaged[place]) ^ mask);
+    folder_.write("s.db", damaged);
+    std::vector<ProcessResult> results;
+    if (i % 11 == 0) results = {run(readers_of_it[0]), run(readers_of_it[1])};
+    results.push_back(explore(asked_));
+    for (const ProcessResult& result : results) {
+      if (result.exit_code == 0) continue;
+      EXPECT_EQ(result.exit_code, 2) << result.err;
+      EXPECT_TRUE(read_text(store()) == damaged) << result.err;
+      ++refused;
     }
+    for (const char* left : {"s.db-wal", "s.db-shm"}) fs::remove(folder_.path() / left);
   }
-  EXPECT_GT(refused, 100);
+  EXPECT_GT(refused, 60);
 }
 
 TEST_F(DamagedStore, WithAColumnOfAnotherName) {

@@ -62,7 +62,7 @@ TEST(SevenRoutings, ShowWhicheverFrictionTheyHave) {
   int found = 0, tube_covered = 0, sheath_covered = 0;
   double sheath_widths = 0;
   DiagnoseOptions options;
-  options.replicates = 200;
+  options.replicates = 100;
   for (int i = 0; i < experiments; ++i) {
     const MeasuredData data = read_data(experiment(static_cast<std::uint32_t>(i)));
     const DiagnosisResult result = diagnose(data, Hardware{}, options);
