@@ -32,7 +32,7 @@ std::string difference(const CheckItem& item) {
                      100 * (item.published / item.computed - 1));
 }
 
-void judge_explained(const PublishedNumber& number, const NamedValues& values, CheckItem& item) {
+void evaluate_explained(const PublishedNumber& number, const NamedValues& values, CheckItem& item) {
   const double given = number.explained_by.evaluate(values);
   if (is_published(given, number, values)) {
     item.status = CheckStatus::explained;
@@ -44,8 +44,8 @@ void judge_explained(const PublishedNumber& number, const NamedValues& values, C
   }
 }
 
-void judge(const Mechanism& mechanism, const PublishedNumber& number, const NamedValues& values,
-           CheckItem& item) {
+void evaluate(const Mechanism& mechanism, const PublishedNumber& number, const NamedValues& values,
+              CheckItem& item) {
   const bool agrees = is_published(item.computed, number, values);
   switch (number.standing) {
     case NumberStanding::plain:
@@ -67,7 +67,7 @@ void judge(const Mechanism& mechanism, const PublishedNumber& number, const Name
     item.status = CheckStatus::open;
     item.reason = fmt::format("{}; {}", difference(item), number.reason);
   } else {
-    judge_explained(number, values, item);
+    evaluate_explained(number, values, item);
   }
 }
 
@@ -83,7 +83,7 @@ CheckItem check_number(const Mechanism& mechanism, const PublishedNumber& number
   item.printed = number.equals ? "" : number.printed.digits;
   item.published = number.equals ? number.equals->evaluate(values) : number.printed.value;
   item.computed = number.computed.evaluate(values);
-  judge(mechanism, number, values, item);
+  evaluate(mechanism, number, values, item);
   return item;
 }
 

@@ -20,10 +20,10 @@ constexpr double wide_step = 0.25;
 using Function = std::function<double(const std::vector<double>&)>;
 
 // The free variables of the box, scaled to 0 … 1.
-class Problem {
+class BoxProblem {
  public:
-  Problem(const Function& function, const std::vector<Interval>& box,
-          const std::atomic<bool>* stop = nullptr)
+  BoxProblem(const Function& function, const std::vector<Interval>& box,
+             const std::atomic<bool>* stop = nullptr)
       : function_(function),
         box_(box),
         stop_(stop),
@@ -69,9 +69,11 @@ class Problem {
     optimiser.set_maxeval(evaluations);
     optimiser.set_xtol_abs(tolerance);
     if (step > 0) optimiser.set_initial_step(step);
-    optimiser.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
-                                   void* self) { return static_cast<Problem*>(self)->guarded(x); },
-                                this);
+    optimiser.set_min_objective(
+        [](const std::vector<double>& x, std::vector<double>&, void* self) {
+          return static_cast<BoxProblem*>(self)->guarded(x);
+        },
+        this);
     std::vector<double> start =
         best_scaled_.empty() ? std::vector<double>(dimensions(), 0.5) : best_scaled_;
     double value = 0;
@@ -109,15 +111,15 @@ class Problem {
   std::exception_ptr failure_;
 };
 
-const Minimum& found(const Problem& problem) {
+const Minimum& found(const BoxProblem& problem) {
   if (problem.best().at.empty()) {
     throw std::domain_error("minimise: the function has no finite value in the box");
   }
   return problem.best();
 }
 
-Minimum from_start(Problem& problem, const std::vector<double>& start, nlopt::algorithm algorithm,
-                   int evaluations, double tolerance, double step) {
+Minimum from_start(BoxProblem& problem, const std::vector<double>& start,
+                   nlopt::algorithm algorithm, int evaluations, double tolerance, double step) {
   if (problem.dimensions() == 0) {
     problem({});
   } else {
@@ -133,7 +135,7 @@ Minimum from_start(Problem& problem, const std::vector<double>& start, nlopt::al
 
 Minimum minimise(const Function& function, const std::vector<Interval>& box, int evaluations,
                  const std::atomic<bool>* stop) {
-  Problem problem(function, box, stop);
+  BoxProblem problem(function, box, stop);
   if (problem.dimensions() == 0) {
     problem({});
   } else {
@@ -146,13 +148,13 @@ Minimum minimise(const Function& function, const std::vector<Interval>& box, int
 Minimum descend(const Function& function, const std::vector<Interval>& box,
                 const std::vector<double>& start, int evaluations, double tolerance,
                 const std::atomic<bool>* stop) {
-  Problem problem(function, box, stop);
+  BoxProblem problem(function, box, stop);
   return from_start(problem, start, nlopt::LN_SBPLX, evaluations, tolerance, wide_step);
 }
 
 Minimum refine(const Function& function, const std::vector<Interval>& box,
                const std::vector<double>& start, int evaluations) {
-  Problem problem(function, box);
+  BoxProblem problem(function, box);
   return from_start(problem, start, nlopt::LN_BOBYQA, evaluations, smooth, first_step);
 }
 

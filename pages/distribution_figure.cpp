@@ -16,13 +16,13 @@ namespace {
 
 constexpr const char* model_name = "model";
 
-using Rows = std::vector<const TensionDistribution*>;
+using DistributionRows = std::vector<const TensionDistribution*>;
 
 std::string measured(const TensionDistributions& all) {
   return all.data && all.data->simulated ? "simulated data" : "measured";
 }
 
-bool any(const Rows& rows, bool (*of)(const StrandShare&)) {
+bool any(const DistributionRows& rows, bool (*of)(const StrandShare&)) {
   for (const TensionDistribution* row : rows) {
     for (const RoutingShares& routing : row->routings) {
       if (std::any_of(routing.strands.begin(), routing.strands.end(), of)) return true;
@@ -169,7 +169,7 @@ std::string row_title(std::size_t row, const TensionDistribution& distribution) 
   return "";
 }
 
-chart::Chart drawn(const Rows& rows, const TensionDistributions& all) {
+chart::Chart drawn(const DistributionRows& rows, const TensionDistributions& all) {
   const std::string measured_name = any(rows, is_measured) ? measured(all) : "";
   chart::Chart chart;
   chart.shared_y = true;
@@ -186,7 +186,7 @@ chart::Chart drawn(const Rows& rows, const TensionDistributions& all) {
   return chart;
 }
 
-std::string alt(const Rows& rows) {
+std::string alt(const DistributionRows& rows) {
   std::string text = "Strand tensions as shares of their sum.";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     text += " " + row_title(i, *rows[i]) + ", model:";
@@ -202,7 +202,8 @@ std::string alt(const Rows& rows) {
 }
 
 // "(a) 16.2 %, (b) 6.0 %"; "" if there is none.
-std::string errors_text(const Rows& rows, std::optional<double> MeanShareErrors::*which) {
+std::string errors_text(const DistributionRows& rows,
+                        std::optional<double> MeanShareErrors::*which) {
   std::string text;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::optional<double> error = rows[i]->share_errors.*which;
@@ -212,7 +213,7 @@ std::string errors_text(const Rows& rows, std::optional<double> MeanShareErrors:
   return text;
 }
 
-std::string measured_text(const Rows& rows, const TensionDistributions& all) {
+std::string measured_text(const DistributionRows& rows, const TensionDistributions& all) {
   const bool mean = any(rows, [](const StrandShare& strand) {
     return strand.measured && strand.measured->deviation;
   });
@@ -228,7 +229,7 @@ std::string measured_text(const Rows& rows, const TensionDistributions& all) {
 }
 
 // "" where no routing has a choice of grasps.
-std::string grasp_of(const Rows& rows) {
+std::string grasp_of(const DistributionRows& rows) {
   const Grasp grasp = rows.front()->grasp;
   const bool one_finger =
       std::all_of(rows.begin(), rows.end(), [](const TensionDistribution* distribution) {
@@ -239,7 +240,7 @@ std::string grasp_of(const Rows& rows) {
   return one_finger && grasp.held == 0 ? "" : grasp_words(grasp);
 }
 
-std::string caption(const Rows& rows, const TensionDistributions& all) {
+std::string caption(const DistributionRows& rows, const TensionDistributions& all) {
   const std::string grasp = grasp_of(rows);
   std::string text = (grasp.empty() ? "Pulling" : "With " + grasp + ", pulling") +
                      "; the strands of each routing add up to 100 %. Line and circles: "
@@ -259,8 +260,8 @@ std::string caption(const Rows& rows, const TensionDistributions& all) {
   return text;
 }
 
-std::vector<Rows> by_grasp(const TensionDistributions& all) {
-  std::vector<Rows> groups;
+std::vector<DistributionRows> by_grasp(const TensionDistributions& all) {
+  std::vector<DistributionRows> groups;
   for (const TensionDistribution& distribution : all.list) {
     if (groups.empty() || !(groups.back().front()->grasp == distribution.grasp)) {
       groups.emplace_back();
@@ -274,7 +275,7 @@ std::vector<Rows> by_grasp(const TensionDistributions& all) {
 
 std::vector<Figure> distribution_figures(const TensionDistributions& distributions) {
   std::vector<Figure> figures;
-  for (const Rows& rows : by_grasp(distributions)) {
+  for (const DistributionRows& rows : by_grasp(distributions)) {
     const std::string id =
         figures.empty() ? "figure-9" : "figure-9-" + grasp_id(rows.front()->grasp);
     chart::Chart chart = drawn(rows, distributions);

@@ -120,8 +120,8 @@ Figure pareto_figure(const RankReport& report, const Labels& labels) {
   chart::Panel panel;
   panel.x = objective_axis(on.first, cost_unit(report.prices));
   panel.y = objective_axis(on.second, cost_unit(report.prices));
-  chart::Style best = design_style(Kind::front);
-  chart::Style other = design_style(Kind::listed);
+  chart::Style best = design_style(DesignKind::front);
+  chart::Style other = design_style(DesignKind::listed);
   best.size = other.size = 5;
   other.opacity = 1;
   const BandBars bars = band_bars(banded, {on.first, on.second}, span);

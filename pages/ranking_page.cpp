@@ -68,9 +68,9 @@ HtmlTable ranking_table(const RankReport& report, const Labels& labels) {
   return {"ranking-table", "Objectives; the headings sort", std::move(table), true};
 }
 
-std::vector<Term> ranking_glossary(const RankReport& report) {
-  std::vector<Term> terms{ranking_terms().front()};
-  for (Term& term : objective_terms(shown_objectives(report.order, report.score))) {
+std::vector<GlossaryTerm> ranking_glossary(const RankReport& report) {
+  std::vector<GlossaryTerm> terms{ranking_terms().front()};
+  for (GlossaryTerm& term : objective_terms(shown_objectives(report.order, report.score))) {
     terms.push_back(std::move(term));
   }
   return terms;

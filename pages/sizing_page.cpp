@@ -92,7 +92,7 @@ std::string axis_title(const SizeVariable& about) {
 }
 
 // What a tolerance of nothing reaches to: the end of the profile.
-chart::Bands tolerance_band(const SizedVariable& sized, const GoalProfile& profile) {
+chart::PanelBands tolerance_band(const SizedVariable& sized, const GoalProfile& profile) {
   const Sensitivity& alone = sized.sensitivity;
   const double low = alone.less ? sized.value - *alone.less : profile.values.front();
   const double high = alone.more ? sized.value + *alone.more : profile.values.back();
@@ -101,8 +101,8 @@ chart::Bands tolerance_band(const SizedVariable& sized, const GoalProfile& profi
           chart::Along::x};
 }
 
-chart::Bands together_band(double at, const JointTolerance::Ways& ways,
-                           const GoalProfile& profile) {
+chart::PanelBands together_band(double at, const JointTolerance::Ways& ways,
+                                const GoalProfile& profile) {
   const double low = std::max(at - ways.less, profile.values.front());
   const double high = std::min(at + ways.more, profile.values.back());
   return {{{0, low, high, fmt::format("all at once: {:.4g} to {:.4g}", low, high)}},

@@ -37,7 +37,9 @@ struct DataColumn {
   bool unit_is_assumed = false;
 };
 
-std::optional<std::size_t> find_column(const std::vector<DataColumn>& columns, DataRole role);
+using ColumnList = std::vector<DataColumn>;  // parallel to the fields of a row
+
+std::optional<std::size_t> find_column(const ColumnList& columns, DataRole role);
 
 // True if the text is that column's name, or means the same.
 bool means(const std::string& text, const DataColumn& column);
@@ -49,7 +51,7 @@ const std::string& meaning_of(const std::string& name, const ReadingOptions& opt
 bool is_units_row(const CsvRow& header, const CsvRow& row, const ReadingOptions& options);
 
 struct DataColumns {
-  std::vector<DataColumn> columns;  // parallel to the fields of a row
+  ColumnList columns;
   std::vector<DataNote> notes;
 };
 
@@ -66,7 +68,7 @@ class Header {
   Header(const CsvReader& csv, const std::optional<CsvRow>& units, const ReadingOptions& options,
          const FileKind& kind, FaultList& faults);
 
-  const std::vector<DataColumn>& columns() const { return columns_; }
+  const ColumnList& columns() const { return columns_; }
   bool has(DataRole role) const { return find_column(columns_, role).has_value(); }
   // Some column cannot be read: it may be one that is missed.
   bool has_bad_column() const { return has_bad_column_; }

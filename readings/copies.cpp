@@ -88,17 +88,17 @@ double chance_of_equal(const SensorCells& sensor, const KindCell& cell, double l
 }
 
 // A kind's readings, and what chance makes of them.
-struct Kind {
+struct KindReadings {
   std::vector<std::size_t> readings;
   std::map<std::size_t, double> chance;  // Π p_c by reading
   double expected_pairs = 0;             // E
 };
 
-Kind kind_of_cells(const MeasuredData& data, const KindCells& cells) {
+KindReadings kind_of_cells(const MeasuredData& data, const KindCells& cells) {
   const std::size_t motor = data.channels.size();
   const PolishedLevels levels = polished_levels(cells, motor);
   const std::map<std::size_t, SensorCells> of_channel = sensors(cells, levels, data.simulated);
-  Kind kind;
+  KindReadings kind;
   std::map<double, std::vector<double>> at_load;
   for (std::size_t begin = 0, end = 0; begin < cells.size(); begin = end) {
     end = begin;
@@ -122,7 +122,8 @@ Kind kind_of_cells(const MeasuredData& data, const KindCells& cells) {
 }
 
 // Equal readings of a kind, each list in the order in which they were taken.
-std::vector<std::vector<std::size_t>> classes_of(const MeasuredData& data, const Kind& kind) {
+std::vector<std::vector<std::size_t>> classes_of(const MeasuredData& data,
+                                                 const KindReadings& kind) {
   std::vector<std::size_t> order = kind.readings;
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     const Reading& x = data.readings[a];
@@ -143,7 +144,7 @@ std::vector<std::vector<std::size_t>> classes_of(const MeasuredData& data, const
 
 // Those of equal readings that were taken one after the other, but for the first of each stretch.
 std::set<std::size_t> stretched(const MeasuredData& data, const std::vector<std::size_t>& equal,
-                                const Kind& kind) {
+                                const KindReadings& kind) {
   const auto taken = [&](std::size_t place) { return data.readings[equal[place]].taken; };
   std::set<std::size_t> result;
   for (std::size_t begin = 0, end = 0; begin < equal.size(); begin = end) {
@@ -160,7 +161,7 @@ std::set<std::size_t> stretched(const MeasuredData& data, const std::vector<std:
   return result;
 }
 
-void add_kind(const MeasuredData& data, const Kind& kind, EqualRows& result) {
+void add_kind(const MeasuredData& data, const KindReadings& kind, EqualRows& result) {
   const auto classes = classes_of(data, kind);
   double repeated = 0;
   for (const auto& equal : classes) repeated += static_cast<double>(equal.size() - 1);

@@ -9,8 +9,6 @@
 namespace reeve::readings {
 namespace {
 
-using Columns = std::vector<DataColumn>;
-
 // The greatest numbers are far above any rig: they catch a slipped decimal mark, and keep sums of
 // squares finite. An angle of 100 rad is sixteen turns of a sheath; more is likely in degrees.
 CellRange range_of(DataRole role) {
@@ -42,7 +40,7 @@ constexpr FileKind file_of_readings{is_of_readings, range_of};
 
 // Nobody may think that something was done with what the file does not have.
 void require_noise(Header& header, const ReadingOptions& options) {
-  const Columns& columns = header.columns();
+  const ColumnList& columns = header.columns();
   for (const ColumnNoise& given : options.noise) {
     const bool is_there =
         std::any_of(columns.begin(), columns.end(),
@@ -61,7 +59,7 @@ void require_noise(Header& header, const ReadingOptions& options) {
 }
 
 // A header that has a clock and neither run nor routing is a logger's.
-void require_no_log(const CsvReader& csv, const Columns& columns) {
+void require_no_log(const CsvReader& csv, const ColumnList& columns) {
   if (find_column(columns, DataRole::run) || find_column(columns, DataRole::routing)) return;
   for (const DataColumn& column : columns) {
     if (!clock_unit(column.name)) continue;
@@ -89,7 +87,7 @@ void require_columns(Header& header) {
 }
 
 void require_tensions_of_deviations(Header& header) {
-  const Columns& columns = header.columns();
+  const ColumnList& columns = header.columns();
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const DataColumn& column = columns[i];
     if (column.role == DataRole::motor_deviation && !header.has(DataRole::motor_tension)) {

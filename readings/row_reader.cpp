@@ -16,8 +16,6 @@
 namespace reeve::readings {
 namespace {
 
-using Columns = std::vector<DataColumn>;
-
 // Names in the order in which the file has them first.
 class NamesSeen {
  public:
@@ -38,7 +36,7 @@ class NamesSeen {
 // segment that is beside T1, so its letter, and with it its channel, is a matter of each routing.
 class RoutingTable {
  public:
-  RoutingTable(const Columns& columns, const RoutingResolver& resolve)
+  RoutingTable(const ColumnList& columns, const RoutingResolver& resolve)
       : columns_(columns), resolve_(resolve) {
     for (const DataColumn& column : columns) {
       if (column.role == DataRole::tension && !column.place.beside) {
@@ -110,7 +108,7 @@ class RoutingTable {
     return channels_.size() - 1;
   }
 
-  const Columns& columns_;
+  const ColumnList& columns_;
   const RoutingResolver& resolve_;
   std::vector<MeasuredRouting> routings_;
   std::map<std::string, std::size_t, std::less<>> by_text_;
@@ -140,7 +138,7 @@ struct CovariateColumn {
 class RowReader {
  public:
   // All must outlive the reader.
-  RowReader(const CsvReader& csv, const Columns& columns, const RoutingResolver& resolve,
+  RowReader(const CsvReader& csv, const ColumnList& columns, const RoutingResolver& resolve,
             const ReadingOptions& options, FaultList& faults)
       : csv_(csv),
         columns_(columns),
@@ -359,7 +357,7 @@ class RowReader {
   }
 
   const CsvReader& csv_;
-  const Columns& columns_;
+  const ColumnList& columns_;
   const ReadingOptions& options_;
   FaultList& faults_;
   RowCells cells_;

@@ -79,7 +79,7 @@ class LogChart {
 
   chart::Layer taken(Direction direction) const {
     const bool pull = direction == Direction::pull;
-    chart::Bands bands;
+    chart::PanelBands bands;
     bands.on = chart::Along::x;
     for (const SteadyReading& reading : report_.steady.readings) {
       if (reading.direction != direction) continue;

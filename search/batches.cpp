@@ -26,12 +26,12 @@ namespace {
 
 // What an exploration says of the routings that its source leaves out (routing_source.hpp): they
 // count as what was made and rejected for its parts.
-class LeftOut {
+class LeftOutRoutings {
  public:
   // Of the routings of `range`; those before `counted`, of its first, are in the part already.
   // Keeps the source.
-  LeftOut(const ExploreOptions& options, RoutingSource& source, ShardRange range,
-          std::uint64_t counted);
+  LeftOutRoutings(const ExploreOptions& options, RoutingSource& source, ShardRange range,
+                  std::uint64_t counted);
 
   // Another range.
   void go_on_with(ShardRange range, std::uint64_t counted);
@@ -46,8 +46,8 @@ class LeftOut {
   std::vector<std::optional<RoutingSource::LeftOutPlace>> references_;
 };
 
-LeftOut::LeftOut(const ExploreOptions& options, RoutingSource& source, ShardRange range,
-                 std::uint64_t counted)
+LeftOutRoutings::LeftOutRoutings(const ExploreOptions& options, RoutingSource& source,
+                                 ShardRange range, std::uint64_t counted)
     : source_(source) {
   for (const Routing& routing : options.references) {
     references_.push_back(source.place_left_out(routing));
@@ -55,12 +55,12 @@ LeftOut::LeftOut(const ExploreOptions& options, RoutingSource& source, ShardRang
   go_on_with(range, counted);
 }
 
-void LeftOut::go_on_with(ShardRange range, std::uint64_t counted) {
+void LeftOutRoutings::go_on_with(ShardRange range, std::uint64_t counted) {
   range_ = range;
   before_ = source_.left_out_before(range.begin + counted);
 }
 
-void LeftOut::add_to(ExplorationPart& part, std::uint64_t generated) {
+void LeftOutRoutings::add_to(ExplorationPart& part, std::uint64_t generated) {
   const std::vector<std::uint64_t> until = source_.left_out_before(range_.begin + generated);
   for (std::size_t c = 0; c < until.size(); ++c) {
     part.constraint_failures[c] += until[c] - before_[c];
@@ -81,7 +81,7 @@ constexpr std::size_t batch_size = 2048;
 constexpr std::size_t grain = 64;
 
 // What became of one routing of a batch.
-struct Slot {
+struct BatchSlot {
   Routing routing;
   std::string word;                   // if it may be kept
   std::uint64_t place = 0;            // in the whole enumeration
@@ -96,7 +96,7 @@ struct Slot {
 };
 
 struct Batch {
-  std::vector<Slot> slots;
+  std::vector<BatchSlot> slots;
   std::size_t actuated = 0;     // of the slots, those in use
   std::uint64_t generated = 0;  // routings up to its last one
 };
@@ -224,7 +224,7 @@ class Exploration {
 
   void fill_on(Batch& batch) {
     while (batch.actuated < batch.slots.size() && filled_ < part_.total) {
-      Slot& slot = batch.slots[batch.actuated];
+      BatchSlot& slot = batch.slots[batch.actuated];
       if (!source_.next(slot.routing, slot.place)) {
         filled_ = part_.total;
         break;
@@ -248,7 +248,7 @@ class Exploration {
   // One who waits for the end does not wait for the batch, but for a design at least.
   bool may_go_on(std::size_t i) const { return i < 2 * grain || !must_stop(); }
 
-  void evaluate(Slot& slot, std::size_t worker) {
+  void evaluate(BatchSlot& slot, std::size_t worker) {
     DecidingEvaluator& evaluator = evaluators_[worker];
     const std::size_t before = evaluator.unconverged();
     const std::optional<ObjectiveValues> far = far_values(slot.routing, evaluator);
@@ -267,7 +267,7 @@ class Exploration {
       // Who reads what is kept asks for any of them.
       if (keeps_) slot.all_values = whole_[worker].evaluate(slot.routing);
     }
-    references_.count(judged(slot), worker, part_.references);
+    references_.count(evaluated(slot), worker, part_.references);
     slot.done = true;
   }
 
@@ -290,7 +290,7 @@ class Exploration {
     return may_be(part_) && (!seen_ || may_be(*seen_));
   }
 
-  void hold_against_seen(Slot& slot) const {
+  void hold_against_seen(BatchSlot& slot) const {
     slot.may_rank = slot.may_rank && seen_->archive.may_rank(slot.values);
     slot.may_be_rung = slot.may_be_rung && seen_->ladder.may_be_rung(slot.values);
     slot.sampled = slot.sampled && seen_->sample.would_enter(slot.place);
@@ -307,23 +307,23 @@ class Exploration {
   void withdraw_from(std::size_t first) {
     generated_ = batch_.slots[first].place - range_.begin;
     for (std::size_t i = first; i < batch_.actuated; ++i) {
-      if (batch_.slots[i].done) references_.take_off(judged(batch_.slots[i]), part_.references);
+      if (batch_.slots[i].done) references_.take_off(evaluated(batch_.slots[i]), part_.references);
     }
   }
 
   // What is not made where designs are pruned counts for nothing where all are made.
-  bool fails_by_parts(const Slot& slot) const {
+  bool fails_by_parts(const BatchSlot& slot) const {
     return slot.failed_constraint > 0 && slot.failed_constraint <= deciding_parts_;
   }
 
-  static JudgedRouting judged(const Slot& slot) {
+  static EvaluatedRouting evaluated(const BatchSlot& slot) {
     return {slot.routing, slot.values, slot.failed_constraint};
   }
 
   void collect(std::size_t done) {
     part_.evaluated += done;
     for (std::size_t i = 0; i < done; ++i) {
-      const Slot& slot = batch_.slots[i];
+      const BatchSlot& slot = batch_.slots[i];
       if (!fails_by_parts(slot)) part_.unconverged += slot.unconverged;
       if (checkpoint_.design) checkpoint_.design({slot.place, slot.word, slot.all_values});
       if (slot.failed_constraint > 0) ++part_.constraint_failures[slot.failed_constraint - 1];
@@ -357,7 +357,7 @@ class Exploration {
   double seconds_before_ = 0;
   RoutingSource source_;
   ShardRange range_;
-  std::optional<LeftOut> left_out_;
+  std::optional<LeftOutRoutings> left_out_;
   Workers workers_;
   ReferenceTally references_;
   ExplorationPart part_;

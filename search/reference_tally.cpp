@@ -26,28 +26,28 @@ void ReferenceTally::go_on(const std::vector<ReferenceCount>& counted) {
   }
 }
 
-void ReferenceTally::count(const JudgedRouting& judged, std::size_t worker,
+void ReferenceTally::count(const EvaluatedRouting& evaluated, std::size_t worker,
                            std::vector<ReferenceCount>& references) {
-  add(judged, dominators_[worker], 1, references);
+  add(evaluated, dominators_[worker], 1, references);
 }
 
-void ReferenceTally::take_off(const JudgedRouting& judged,
+void ReferenceTally::take_off(const EvaluatedRouting& evaluated,
                               std::vector<ReferenceCount>& references) {
-  add(judged, dominators_.front(), -1, references);
+  add(evaluated, dominators_.front(), -1, references);
 }
 
-void ReferenceTally::add(const JudgedRouting& judged, std::vector<std::int64_t>& dominators,
+void ReferenceTally::add(const EvaluatedRouting& evaluated, std::vector<std::int64_t>& dominators,
                          int count, std::vector<ReferenceCount>& references) {
   for (std::size_t r = 0; r < goodness_.size(); ++r) {
-    if (judged.routing != options_.references[r]) continue;
+    if (evaluated.routing != options_.references[r]) continue;
     references[r].generated = count > 0;
     references[r].rejected_by.reset();
-    if (judged.failed_constraint > 0 && count > 0) {
-      references[r].rejected_by = judged.failed_constraint - 1;
+    if (evaluated.failed_constraint > 0 && count > 0) {
+      references[r].rejected_by = evaluated.failed_constraint - 1;
     }
   }
-  if (judged.failed_constraint > 0 || goodness_.empty()) return;
-  const Goodness candidate = goodness(judged.values, options_.order.objectives);
+  if (evaluated.failed_constraint > 0 || goodness_.empty()) return;
+  const Goodness candidate = goodness(evaluated.values, options_.order.objectives);
   for (std::size_t r = 0; r < goodness_.size(); ++r) {
     if (dominates(candidate, goodness_[r])) dominators[r] += count;
   }

@@ -11,7 +11,7 @@
 
 namespace reeve::search {
 
-struct JudgedRouting {
+struct EvaluatedRouting {
   const Routing& routing;
   const ObjectiveValues& values;  // those of the order and the constraints at least
   std::size_t failed_constraint;  // its number, from 1; 0: none
@@ -27,10 +27,10 @@ class ReferenceTally {
   void go_on(const std::vector<ReferenceCount>& counted);
 
   // Each routing is generated once, so no two workers write one count of the references.
-  void count(const JudgedRouting& judged, std::size_t worker,
+  void count(const EvaluatedRouting& evaluated, std::size_t worker,
              std::vector<ReferenceCount>& references);
   // Of a routing that was counted, by whichever worker.
-  void take_off(const JudgedRouting& judged, std::vector<ReferenceCount>& references);
+  void take_off(const EvaluatedRouting& evaluated, std::vector<ReferenceCount>& references);
 
   // Whether a design between these values is counted as one that has them.
   bool agree(const Estimate& estimate) const;
@@ -38,7 +38,7 @@ class ReferenceTally {
   void add_up(std::vector<ReferenceCount>& references) const;
 
  private:
-  void add(const JudgedRouting& judged, std::vector<std::int64_t>& dominators, int count,
+  void add(const EvaluatedRouting& evaluated, std::vector<std::int64_t>& dominators, int count,
            std::vector<ReferenceCount>& references);
 
   const ExploreOptions& options_;

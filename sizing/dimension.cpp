@@ -69,7 +69,8 @@ std::string quantity_names() {
   throw InputError({.what = "dimension", .value = text, .expected = expected});
 }
 
-Dimension of_finger(const QuantityRow& row, const std::string& text, const std::string& whole) {
+SizedDimension of_finger(const QuantityRow& row, const std::string& text,
+                         const std::string& whole) {
   const auto finger = whole_number_in(text);
   if (!finger || *finger < 1 || *finger > max_fingers) {
     fail(whole, fmt::format("numbers of fingers from 1 to {}, such as {}[1] or {}[2,3]",
@@ -78,7 +79,8 @@ Dimension of_finger(const QuantityRow& row, const std::string& text, const std::
   return {row.quantity, *finger, {}, {}};
 }
 
-Dimension of_contact(const QuantityRow& row, const std::string& text, const std::string& whole) {
+SizedDimension of_contact(const QuantityRow& row, const std::string& text,
+                          const std::string& whole) {
   const std::size_t dash = std::min(text.find('-'), text.size());
   const std::optional<Segment> from = segment_named(text.substr(0, dash));
   const std::optional<Segment> to = segment_named(dash == text.size() ? "" : text.substr(dash + 1));
@@ -148,7 +150,7 @@ std::vector<SameGroup> parse_same(const std::string& text) {
   return groups;
 }
 
-bool is_between(const Dimension& dimension, const Segment& left, const Segment& right) {
+bool is_between(const SizedDimension& dimension, const Segment& left, const Segment& right) {
   return (dimension.from == left && dimension.to == right) ||
          (dimension.from == right && dimension.to == left);
 }
@@ -159,12 +161,12 @@ const QuantityRow& row(SizedQuantity quantity) {
   return quantities[static_cast<std::size_t>(quantity)];
 }
 
-bool operator==(const Dimension& a, const Dimension& b) {
+bool operator==(const SizedDimension& a, const SizedDimension& b) {
   return a.quantity == b.quantity && a.finger == b.finger &&
          (row(a.quantity).of != QuantityOf::contact || is_between(a, b.from, b.to));
 }
 
-std::string to_text(const Dimension& dimension) {
+std::string to_text(const SizedDimension& dimension) {
   const QuantityRow& about = row(dimension.quantity);
   switch (about.of) {
     case QuantityOf::finger:
@@ -180,7 +182,7 @@ std::string to_text(const Dimension& dimension) {
 
 std::string to_text(const DimensionName& name) {
   std::string subjects;
-  for (const Dimension& one : name.named) {
+  for (const SizedDimension& one : name.named) {
     subjects +=
         (subjects.empty() ? "" : ",") +
         (one.finger > 0 ? std::to_string(one.finger)
@@ -190,7 +192,7 @@ std::string to_text(const DimensionName& name) {
                           : fmt::format("{}[{}]", row(name.quantity).name, subjects);
 }
 
-bool DimensionName::has(const Dimension& dimension) const {
+bool DimensionName::has(const SizedDimension& dimension) const {
   return std::find(named.begin(), named.end(), dimension) != named.end();
 }
 
@@ -210,8 +212,9 @@ DimensionName parse_dimensions(const std::string& text) {
   for (const std::string& item :
        comma_separated(text.substr(bracket + 1, text.size() - bracket - 2))) {
     const std::string subject(trimmed(item));
-    const Dimension dimension = about->of == QuantityOf::finger ? of_finger(*about, subject, text)
-                                                                : of_contact(*about, subject, text);
+    const SizedDimension dimension = about->of == QuantityOf::finger
+                                         ? of_finger(*about, subject, text)
+                                         : of_contact(*about, subject, text);
     if (result.has(dimension)) fail(text, "each of them once");
     result.named.push_back(dimension);
   }

@@ -46,26 +46,26 @@ struct QuantityRow {
 std::span<const QuantityRow> quantity_table();
 const QuantityRow& row(SizedQuantity quantity);
 
-struct Dimension {
+struct SizedDimension {
   SizedQuantity quantity{};
   int finger = 0;        // of a finger's
   Segment from{}, to{};  // of a contact's, in either order
 
-  friend bool operator==(const Dimension& a, const Dimension& b);
+  friend bool operator==(const SizedDimension& a, const SizedDimension& b);
 };
 
 // Whether it is that of the contact between these two, in either order.
-bool is_between(const Dimension& dimension, const Segment& left, const Segment& right);
+bool is_between(const SizedDimension& dimension, const Segment& left, const Segment& right);
 
 // "sheath_angle[1]", "contact_angle[T2-T3]", "hand_mm"
-std::string to_text(const Dimension& dimension);
+std::string to_text(const SizedDimension& dimension);
 
 // Some dimensions of one quantity, or without any named all of it that a routing has.
 struct DimensionName {
   SizedQuantity quantity{};
-  std::vector<Dimension> named;
+  std::vector<SizedDimension> named;
 
-  bool has(const Dimension& dimension) const;
+  bool has(const SizedDimension& dimension) const;
 };
 
 std::string to_text(const DimensionName& name);

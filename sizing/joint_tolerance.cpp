@@ -10,8 +10,6 @@
 namespace reeve::sizing {
 namespace {
 
-using Point = SizingProblem::Point;
-
 constexpr std::size_t all_corners = 8;   // of so many variables every corner is looked at
 constexpr std::uint64_t ascents = 12;    // of more: from so many corners
 constexpr double share_of_bounds = 0.1;  // of what may be off by any amount
@@ -21,7 +19,7 @@ constexpr int rounds = 12;
 
 class ToleranceBox {
  public:
-  ToleranceBox(const SizingProblem& problem, const Goal& goal, const Point& point,
+  ToleranceBox(const SizingProblem& problem, const Goal& goal, const SizingPoint& point,
                const std::vector<Sensitivity>& alone)
       : problem_(problem), point_(point) {
     limit_ = problem.loss(point) + tolerated(problem, goal, point);
@@ -41,7 +39,7 @@ class ToleranceBox {
   const std::vector<JointTolerance::Ways>& ways() const { return ways_; }
 
   // `where`: of each variable from −1, all of its way less, to 1.
-  std::vector<double> moves(const Point& where, double factor) const {
+  std::vector<double> moves(const SizingPoint& where, double factor) const {
     std::vector<double> moves;
     for (std::size_t i = 0; i < size(); ++i) {
       moves.push_back(factor * where[i] * (where[i] < 0 ? ways_[i].less : ways_[i].more));
@@ -49,8 +47,8 @@ class ToleranceBox {
     return moves;
   }
 
-  double loss(const Point& where, double factor) const {
-    Point there = point_;
+  double loss(const SizingPoint& where, double factor) const {
+    SizingPoint there = point_;
     const std::vector<double> move = moves(where, factor);
     for (std::size_t i = 0; i < size(); ++i) {
       const Interval limits = possible(problem_, i);  // a rounding error is no way beyond them
@@ -63,7 +61,7 @@ class ToleranceBox {
   bool is_lost(double loss) const { return loss > limit_ + 1e-12 * std::abs(limit_); }
 
   // The greatest part of the way there, up to `factor`, at which nothing is lost.
-  double kept(const Point& where, double factor) const {
+  double kept(const SizingPoint& where, double factor) const {
     double inside = 0;
     double outside = factor;
     for (int i = 0; i < halvings_of_factor; ++i) {
@@ -75,7 +73,7 @@ class ToleranceBox {
 
  private:
   const SizingProblem& problem_;
-  const Point& point_;
+  const SizingPoint& point_;
   double limit_ = 0;
   std::vector<JointTolerance::Ways> ways_;
 };
@@ -97,26 +95,26 @@ class Shrinking {
   }
 
   double factor() const { return factor_; }
-  const Point& worst() const { return worst_; }
+  const SizingPoint& worst() const { return worst_; }
 
  private:
   // Whether the box has shrunk.
-  bool take(const Point& where) {
+  bool take(const SizingPoint& where) {
     if (!box_.is_lost(box_.loss(where, factor_))) return false;
     factor_ = box_.kept(where, factor_);
     worst_ = where;
     return true;
   }
 
-  Point corner(std::uint64_t bits) const {
-    Point where;
+  SizingPoint corner(std::uint64_t bits) const {
+    SizingPoint where;
     for (std::size_t i = 0; i < box_.size(); ++i) where.push_back((bits >> i & 1) != 0 ? 1 : -1);
     return where;
   }
 
   // All less, all more, and then corners that are drawn.
-  Point ascent(std::uint64_t number) const {
-    Point where(box_.size(), number == 0 ? -1 : 1);
+  SizingPoint ascent(std::uint64_t number) const {
+    SizingPoint where(box_.size(), number == 0 ? -1 : 1);
     for (std::size_t i = 0; number > 1 && i < where.size(); ++i) {
       const auto stream = streams::tolerance_corners + static_cast<std::uint32_t>(i);
       where[i] = uniform(seed_, stream, number) < 0.5 ? -1 : 1;
@@ -138,9 +136,9 @@ class Shrinking {
     return where;
   }
 
-  Point worst_inside() const {
+  SizingPoint worst_inside() const {
     const std::vector<Interval> sides(box_.size(), {-1, 1});
-    const auto gain = [&](const Point& where) { return -box_.loss(where, factor_); };
+    const auto gain = [&](const SizingPoint& where) { return -box_.loss(where, factor_); };
     const Minimum anywhere = minimise(gain, sides, evaluations_in_box);
     if (worst_.empty()) return anywhere.at;
     const Minimum beside = descend(gain, sides, worst_, evaluations_in_box);
@@ -150,13 +148,14 @@ class Shrinking {
   const ToleranceBox& box_;
   std::uint64_t seed_;
   double factor_ = 1;
-  Point worst_;
+  SizingPoint worst_;
 };
 
 }  // namespace
 
-JointTolerance joint_tolerance(const SizingProblem& problem, const Goal& goal, const Point& point,
-                               const std::vector<Sensitivity>& alone, std::uint64_t drawn_by) {
+JointTolerance joint_tolerance(const SizingProblem& problem, const Goal& goal,
+                               const SizingPoint& point, const std::vector<Sensitivity>& alone,
+                               std::uint64_t drawn_by) {
   JointTolerance result;
   if (point.empty()) return result;
   const ToleranceBox box(problem, goal, point, alone);

@@ -32,7 +32,7 @@ struct JointTolerance {
 };
 
 JointTolerance joint_tolerance(const SizingProblem& problem, const Goal& goal,
-                               const SizingProblem::Point& point,
-                               const std::vector<Sensitivity>& alone, std::uint64_t drawn_by);
+                               const SizingPoint& point, const std::vector<Sensitivity>& alone,
+                               std::uint64_t drawn_by);
 
 }  // namespace reeve::sizing

@@ -134,7 +134,7 @@ FingerHardware& finger_of(Hardware& hardware, int finger) {
   return added;
 }
 
-ContactHardware& contact_of(Hardware& hardware, const Dimension& dimension) {
+ContactHardware& contact_of(Hardware& hardware, const SizedDimension& dimension) {
   for (ContactHardware& here : hardware.contacts) {
     if (is_between(dimension, parse_segment(here.segment), parse_segment(here.other_segment))) {
       return here;
@@ -174,7 +174,7 @@ std::vector<PlacedDimension> dimensions_of(const Network& network, const Hardwar
   return {};
 }
 
-void set(Hardware& hardware, const Dimension& dimension, double value) {
+void set(Hardware& hardware, const SizedDimension& dimension, double value) {
   switch (dimension.quantity) {
     case SizedQuantity::sheath_angle:
       finger_of(hardware, dimension.finger).sheath_angle_rad = value;

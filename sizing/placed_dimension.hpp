@@ -12,7 +12,7 @@ namespace reeve::sizing {
 
 // A dimension where it is: in a routing with a hardware.
 struct PlacedDimension {
-  Dimension dimension;
+  SizedDimension dimension;
   double nominal = 0;
   bool of_sheath = false;  // it turns with the posture of the wearer
 };
@@ -23,6 +23,6 @@ struct PlacedDimension {
 std::vector<PlacedDimension> dimensions_of(const Network& network, const Hardware& hardware,
                                            SizedQuantity quantity);
 
-void set(Hardware& hardware, const Dimension& dimension, double value);
+void set(Hardware& hardware, const SizedDimension& dimension, double value);
 
 }  // namespace reeve::sizing

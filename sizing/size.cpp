@@ -15,8 +15,6 @@
 namespace reeve::sizing {
 namespace {
 
-using Point = SizingProblem::Point;
-
 constexpr double coarse = 1e-4;   // of the box: where a search from one of several starts ends
 constexpr double all_but = 1e-3;  // of the box: from a bound
 constexpr double no_loss = 1e-9;  // of the goal
@@ -28,16 +26,17 @@ struct Find {
   std::optional<Minimum> nearest;  // of a target, at the nominal coefficients
 };
 
-class Search {
+class SizingSearch {
  public:
-  Search(const SizingProblem& problem, const SizingOptions& options, const std::atomic<bool>* stop)
+  SizingSearch(const SizingProblem& problem, const SizingOptions& options,
+               const std::atomic<bool>* stop)
       : problem_(problem), options_(options), stop_(stop) {}
 
   bool stopped() const { return stop_ != nullptr && stop_->load(); }
 
   // Of number 0 the whole box, of the others one start each.
   Find run(int number) const {
-    const Point start = number == 0 ? problem_.nearest_to_nominal() : start_of(number);
+    const SizingPoint start = number == 0 ? problem_.nearest_to_nominal() : start_of(number);
     const Minimum here{start, problem_.loss(start)};
     if (stopped() || start.empty()) return {here, std::nullopt};
     Find find{
@@ -57,22 +56,22 @@ class Search {
     return tidied(best);
   }
 
-  Minimum with_loss(const Point& point) const { return {point, problem_.loss(point)}; }
+  Minimum with_loss(const SizingPoint& point) const { return {point, problem_.loss(point)}; }
 
   static Minimum least(const Minimum& a, const Minimum& b) { return b.value < a.value ? b : a; }
 
  private:
-  std::function<double(const Point&)> loss() const {
-    return [this](const Point& point) { return problem_.loss(point); };
+  std::function<double(const SizingPoint&)> loss() const {
+    return [this](const SizingPoint& point) { return problem_.loss(point); };
   }
 
-  Minimum descent(const Point& start, double tolerance) const {
+  Minimum descent(const SizingPoint& start, double tolerance) const {
     return descend(loss(), problem_.box(), start, options_.evaluations, tolerance, stop_);
   }
 
   // The first start is the hardware as it is.
-  Point start_of(int number) const {
-    Point start = problem_.nearest_to_nominal();
+  SizingPoint start_of(int number) const {
+    SizingPoint start = problem_.nearest_to_nominal();
     for (std::size_t i = 0; number > 1 && i < start.size(); ++i) {
       const Interval& bounds = problem_.box()[i];
       const auto stream = streams::sizing_starts + static_cast<std::uint32_t>(i);
@@ -83,15 +82,15 @@ class Search {
     return start;
   }
 
-  Minimum nearest(const Point& start) const {
-    const Residuals residuals = [this](const Point& point) -> std::optional<Eigen::VectorXd> {
+  Minimum nearest(const SizingPoint& start) const {
+    const Residuals residuals = [this](const SizingPoint& point) -> std::optional<Eigen::VectorXd> {
       try {
         return problem_.evaluator().misses(problem_.model(point));
       } catch (const OutOfRange&) {
         return std::nullopt;
       }
     };
-    const Point at = least_squares(residuals, problem_.box(), start).minimum.at;
+    const SizingPoint at = least_squares(residuals, problem_.box(), start).minimum.at;
     return {at, problem_.nominal_loss(at)};
   }
 
@@ -104,7 +103,7 @@ class Search {
       if (best.at[i] - bounds.low < near) best = put(best, i, bounds.low, most);
       if (bounds.high - best.at[i] < near) best = put(best, i, bounds.high, most);
     }
-    const Point nominal = problem_.nearest_to_nominal();
+    const SizingPoint nominal = problem_.nearest_to_nominal();
     const double most =
         best.value + std::max(no_loss * std::abs(best.value), goal_rounding(options_.goal));
     Minimum untouched = with_loss(nominal);
@@ -118,7 +117,7 @@ class Search {
 
   // As near to the hardware as it is as the direction leads, the box's sides alike.
   Minimum back_along(const FlatDirection& flat, const Minimum& best, double most) const {
-    const Point nominal = problem_.nearest_to_nominal();
+    const SizingPoint nominal = problem_.nearest_to_nominal();
     double way = 0;
     double squares = 0;
     for (std::size_t i = 0; i < best.at.size(); ++i) {
@@ -127,7 +126,7 @@ class Search {
       way += (nominal[i] - best.at[i]) * flat.moves[i] / (width * width);
       squares += flat.moves[i] * flat.moves[i] / (width * width);
     }
-    Point there = best.at;
+    SizingPoint there = best.at;
     for (std::size_t i = 0; i < there.size(); ++i) {
       const Interval& bounds = problem_.box()[i];
       there[i] = std::clamp(there[i] + way / squares * flat.moves[i], bounds.low, bounds.high);
@@ -137,7 +136,7 @@ class Search {
   }
 
   Minimum put(const Minimum& best, std::size_t variable, double value, double most) const {
-    Point there = best.at;
+    SizingPoint there = best.at;
     there[variable] = value;
     const Minimum put = with_loss(there);
     return put.value <= most ? put : best;
@@ -159,32 +158,33 @@ SizedGoal goal_before(const SizingProblem& problem) {
   return sized_goal(problem, problem.model(), problem.goal(), problem.nominal_goal());
 }
 
-SizedGoal goal_after(const SizingProblem& problem, const Point& point) {
+SizedGoal goal_after(const SizingProblem& problem, const SizingPoint& point) {
   return sized_goal(problem, problem.model(point), problem.goal(point),
                     problem.nominal_goal(point));
 }
 
 Minimum best_of(const std::vector<Find>& finds) {
   Minimum best = finds.front().best;
-  for (const Find& find : finds) best = Search::least(best, find.best);
+  for (const Find& find : finds) best = SizingSearch::least(best, find.best);
   return best;
 }
 
 std::optional<Minimum> nearest_of(const std::vector<Find>& finds) {
   std::optional<Minimum> nearest;
   for (const Find& find : finds) {
-    if (find.nearest) nearest = nearest ? Search::least(*nearest, *find.nearest) : *find.nearest;
+    if (find.nearest)
+      nearest = nearest ? SizingSearch::least(*nearest, *find.nearest) : *find.nearest;
   }
   return nearest;
 }
 
-void finish(const SizingProblem& problem, const SizingOptions& options, const Search& search,
+void finish(const SizingProblem& problem, const SizingOptions& options, const SizingSearch& search,
             const std::vector<Find>& finds, SizedDesign& design) {
   Minimum best = best_of(finds);
   if (const auto nearest = nearest_of(finds)) {
     design.least_miss = nearest->value;
     design.nearest_shares = problem.evaluator().shares(problem.model(nearest->at));
-    best = Search::least(best, search.with_loss(nearest->at));
+    best = SizingSearch::least(best, search.with_loss(nearest->at));
   }
   best = search.finished(best);
   design.after = goal_after(problem, best.at);
@@ -249,14 +249,14 @@ SizingResult size(const std::vector<Routing>& routings, const SizingOptions& opt
   Workers workers(options.threads);
   workers.for_each_block(routings.size() * searches, 1, [&](const IndexBlock& block) {
     for (std::size_t i = block.begin; i < block.end; ++i) {
-      const Search search(problems[i / searches], options, supervision.stop);
+      const SizingSearch search(problems[i / searches], options, supervision.stop);
       finds[i / searches][i % searches] = search.run(static_cast<int>(i % searches));
       teller.step();
     }
   });
   workers.for_each_block(routings.size(), 1, [&](const IndexBlock& block) {
     for (std::size_t r = block.begin; r < block.end; ++r) {
-      const Search search(problems[r], options, supervision.stop);
+      const SizingSearch search(problems[r], options, supervision.stop);
       finish(problems[r], options, search, finds[r], result.designs[r]);
       teller.step();
     }

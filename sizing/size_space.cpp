@@ -26,7 +26,7 @@ std::string joint_name(const std::vector<PlacedDimension>& dimensions,
   std::string others;
   const SizedQuantity quantity = dimensions[members.front()].dimension.quantity;
   for (const std::size_t i : members) {
-    const Dimension& one = dimensions[i].dimension;
+    const SizedDimension& one = dimensions[i].dimension;
     if (one.quantity == quantity && one.finger > 0) {
       fingers += (fingers.empty() ? "" : ",") + std::to_string(one.finger);
     } else {
@@ -147,7 +147,7 @@ bool says_again(const DimensionName& a, const DimensionName& b) {
   if (a.quantity != b.quantity || a.named.empty() != b.named.empty()) return false;
   if (a.named.empty()) return true;
   return std::any_of(a.named.begin(), a.named.end(),
-                     [&](const Dimension& dimension) { return b.has(dimension); });
+                     [&](const SizedDimension& dimension) { return b.has(dimension); });
 }
 
 // What could be varied, of the first routing.
@@ -176,7 +176,7 @@ bool is_somewhere(const DimensionName& name, const std::vector<Network>& network
     });
   };
   if (name.named.empty()) return has(name);
-  return std::all_of(name.named.begin(), name.named.end(), [&](const Dimension& dimension) {
+  return std::all_of(name.named.begin(), name.named.end(), [&](const SizedDimension& dimension) {
     return has({name.quantity, {dimension}});
   });
 }

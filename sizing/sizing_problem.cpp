@@ -126,7 +126,7 @@ Model SizingProblem::upper_end(const Values& values) const {
 
 // Of contacts alone the hardware's faults do not tell; points without tensions are passed over.
 void SizingProblem::require_upper_end() const {
-  Point highest;
+  SizingPoint highest;
   for (const Interval& interval : box_) highest.push_back(interval.high);
   try {
     validate(effective_hardware(upper_end(values(highest))));
@@ -136,7 +136,7 @@ void SizingProblem::require_upper_end() const {
   }
 }
 
-bool SizingProblem::is_hardware(const Point& point) const {
+bool SizingProblem::is_hardware(const SizingPoint& point) const {
   bool within = true;
   for (std::size_t v = 0; v < point.size(); ++v) {
     within = within && point[v] >= box_[v].low && point[v] <= box_[v].high;
@@ -144,15 +144,15 @@ bool SizingProblem::is_hardware(const Point& point) const {
   return within || !fault(effective_hardware(upper_end(values(point))));
 }
 
-SizingProblem::Point SizingProblem::nearest_to_nominal() const {
-  Point point;
+SizingPoint SizingProblem::nearest_to_nominal() const {
+  SizingPoint point;
   for (const SizeVariable& variable : space_.variables) {
     point.push_back(std::clamp(variable.nominal, variable.bounds.low, variable.bounds.high));
   }
   return point;
 }
 
-SizingProblem::Values SizingProblem::values(const Point& point) const {
+SizingProblem::Values SizingProblem::values(const SizingPoint& point) const {
   Values values(space_.dimensions.size());
   for (std::size_t v = 0; v < space_.variables.size(); ++v) {
     for (const std::size_t dimension : space_.variables[v].dimensions) values[dimension] = point[v];
@@ -181,7 +181,7 @@ double SizingProblem::goal_of(const Values& values, bool robust) const {
   return quantile_of(std::move(goals), higher_is_better_ ? robust_quantile : 1 - robust_quantile);
 }
 
-double SizingProblem::guarded_loss(const Point& point, bool robust) const {
+double SizingProblem::guarded_loss(const SizingPoint& point, bool robust) const {
   if (!is_hardware(point)) return worst_loss;
   try {
     const double loss = as_loss(goal_of(values(point), robust));
@@ -191,8 +191,10 @@ double SizingProblem::guarded_loss(const Point& point, bool robust) const {
   }
 }
 
-double SizingProblem::loss(const Point& point) const { return guarded_loss(point, robust_); }
+double SizingProblem::loss(const SizingPoint& point) const { return guarded_loss(point, robust_); }
 
-double SizingProblem::nominal_loss(const Point& point) const { return guarded_loss(point, false); }
+double SizingProblem::nominal_loss(const SizingPoint& point) const {
+  return guarded_loss(point, false);
+}
 
 }  // namespace reeve::sizing

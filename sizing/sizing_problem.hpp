@@ -67,34 +67,34 @@ struct SizingOptions {
 
 inline constexpr double robust_quantile = 0.05;
 
+using SizingPoint = std::vector<double>;  // parallel to the variables
+
 class SizingProblem {
  public:
-  using Point = std::vector<double>;  // parallel to the variables
-
   // Throws InputError if the variables' upper ends are out of the range of the hardware.
   SizingProblem(const Routing& routing, const SizingOptions& options);
 
   const SizeSpace& space() const { return space_; }
   const std::vector<Interval>& box() const { return box_; }
-  Point nearest_to_nominal() const;
+  SizingPoint nearest_to_nominal() const;
 
   // What is searched for; without a point, of the hardware as it is. Throw OutOfRange.
   double goal() const { return goal_of(nominal_, robust_); }
-  double goal(const Point& point) const { return goal_of(values(point), robust_); }
+  double goal(const SizingPoint& point) const { return goal_of(values(point), robust_); }
   // At the nominal coefficients.
   double nominal_goal() const { return goal_of(nominal_, false); }
-  double nominal_goal(const Point& point) const { return goal_of(values(point), false); }
+  double nominal_goal(const SizingPoint& point) const { return goal_of(values(point), false); }
 
   // Within the bounds always; beyond them a length may be none, or a wrap more than contacts have.
-  bool is_hardware(const Point& point) const;
+  bool is_hardware(const SizingPoint& point) const;
 
   // The goal, so that less is better; very much where there are no tensions, no hardware, or where
   // no motor is enough.
-  double loss(const Point& point) const;
-  double nominal_loss(const Point& point) const;
+  double loss(const SizingPoint& point) const;
+  double nominal_loss(const SizingPoint& point) const;
   double as_loss(double goal) const { return higher_is_better_ ? -goal : goal; }
 
-  Model model(const Point& point) const { return model_of(values(point), 1); }
+  Model model(const SizingPoint& point) const { return model_of(values(point), 1); }
   const Model& model() const { return nominal_model_; }
   const GoalEvaluator& evaluator() const { return evaluator_; }
 
@@ -106,10 +106,10 @@ class SizingProblem {
     double sheath_factor = 1;
   };
 
-  Values values(const Point& point) const;
+  Values values(const SizingPoint& point) const;
   Model model_of(const Values& values, double sheath_factor) const;
   double goal_of(const Values& values, bool robust) const;
-  double guarded_loss(const Point& point, bool robust) const;
+  double guarded_loss(const SizingPoint& point, bool robust) const;
   Model upper_end(const Values& values) const;
   void require_upper_end() const;
 

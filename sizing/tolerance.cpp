@@ -24,8 +24,6 @@ std::vector<double> places(const Interval& span, double own) {
 }
 
 using Eigen::Index;
-using Point = SizingProblem::Point;
-
 constexpr int scan_steps = 40;
 constexpr int halvings = 40;
 constexpr double slope_step = 1e-4;      // of the width of the bounds
@@ -58,7 +56,7 @@ std::optional<double> way_to(double reach, const std::function<bool(double)>& lo
 
 class Surroundings {
  public:
-  Surroundings(const SizingProblem& problem, const Goal& goal, const Point& point)
+  Surroundings(const SizingProblem& problem, const Goal& goal, const SizingPoint& point)
       : problem_(problem),
         point_(point),
         loss_(problem.loss(point)),
@@ -76,8 +74,8 @@ class Surroundings {
   }
 
  private:
-  Point beside(std::size_t variable, double move) const {
-    Point there = point_;
+  SizingPoint beside(std::size_t variable, double move) const {
+    SizingPoint there = point_;
     there[variable] += move;
     return there;
   }
@@ -86,7 +84,7 @@ class Surroundings {
     const Interval there = possible(problem_, variable);
     const double to = point_[variable] + move;
     if (to < there.low || to > there.high) return 0;
-    const Point at = beside(variable, move);
+    const SizingPoint at = beside(variable, move);
     if (!problem_.is_hardware(at)) return 0;
     const double change = problem_.as_loss(problem_.loss(at) - loss_);
     return std::abs(change) <= rounding_ ? 0 : change / std::abs(move);
@@ -96,13 +94,13 @@ class Surroundings {
     const double beyond = room_beyond(problem_, point_, variable, sign);
     if (!(beyond > 0)) return std::nullopt;
     return way_to(beyond, [&](double way) {
-      const Point at = beside(variable, sign * way);
+      const SizingPoint at = beside(variable, sign * way);
       return problem_.is_hardware(at) && problem_.loss(at) > loss_ + tolerated_;
     });
   }
 
   const SizingProblem& problem_;
-  const Point& point_;
+  const SizingPoint& point_;
   double loss_;
   double tolerated_;
   double rounding_;  // objectives are rounded already
@@ -111,7 +109,7 @@ class Surroundings {
 // The loss about the point along some of the variables, in parts of their bounds.
 class Plain {
  public:
-  Plain(const SizingProblem& problem, const Point& point, std::vector<std::size_t> free)
+  Plain(const SizingProblem& problem, const SizingPoint& point, std::vector<std::size_t> free)
       : problem_(problem), point_(point), free_(std::move(free)), here_(problem.loss(point)) {}
 
   Index size() const { return static_cast<Index>(free_.size()); }
@@ -132,7 +130,7 @@ class Plain {
   }
 
   double loss(const Eigen::VectorXd& direction) const {
-    Point there = point_;
+    SizingPoint there = point_;
     const std::vector<double> way = moves(direction);
     for (std::size_t i = 0; i < there.size(); ++i) {
       const Interval limits = possible(problem_, i);
@@ -163,12 +161,12 @@ class Plain {
 
  private:
   const SizingProblem& problem_;
-  const Point& point_;
+  const SizingPoint& point_;
   std::vector<std::size_t> free_;
   double here_ = 0;
 };
 
-std::vector<std::size_t> between_bounds(const SizingProblem& problem, const Point& point) {
+std::vector<std::size_t> between_bounds(const SizingProblem& problem, const SizingPoint& point) {
   std::vector<std::size_t> free;
   for (std::size_t i = 0; i < point.size(); ++i) {
     const Interval& bounds = problem.box()[i];
@@ -193,13 +191,12 @@ Eigen::VectorXd in_one_way(const Eigen::VectorXd& direction) {
 
 }  // namespace
 
-std::vector<GoalProfile> goal_profiles(const SizingProblem& problem,
-                                       const SizingProblem::Point& point,
+std::vector<GoalProfile> goal_profiles(const SizingProblem& problem, const SizingPoint& point,
                                        const std::vector<Interval>& spans) {
   std::vector<GoalProfile> profiles;
   for (std::size_t i = 0; i < point.size(); ++i) {
     GoalProfile& profile = profiles.emplace_back();
-    SizingProblem::Point there = point;
+    SizingPoint there = point;
     for (const double place : places(spans[i], point[i])) {
       there[i] = place;
       try {
@@ -225,13 +222,13 @@ AtBound at_bound(const Interval& bounds, double value) {
   return value >= bounds.high - near ? AtBound::high : AtBound::no;
 }
 
-double tolerated(const SizingProblem& problem, const Goal& goal, const Point& point) {
+double tolerated(const SizingProblem& problem, const Goal& goal, const SizingPoint& point) {
   return tolerated_loss * (goal.is_target() ? 1 : std::abs(problem.goal(point)));
 }
 
 double goal_rounding(const Goal& goal) { return goal.is_target() ? 1e-12 : 1e-9; }
 
-double room_beyond(const SizingProblem& problem, const Point& point, std::size_t variable,
+double room_beyond(const SizingProblem& problem, const SizingPoint& point, std::size_t variable,
                    int sign) {
   const Interval& bounds = problem.space().variables[variable].bounds;
   const Interval there = possible(problem, variable);
@@ -242,7 +239,7 @@ double room_beyond(const SizingProblem& problem, const Point& point, std::size_t
 }
 
 std::vector<Sensitivity> sensitivities(const SizingProblem& problem, const Goal& goal,
-                                       const Point& point) {
+                                       const SizingPoint& point) {
   const Surroundings surroundings(problem, goal, point);
   std::vector<Sensitivity> result;
   for (std::size_t i = 0; i < point.size(); ++i) result.push_back(surroundings.of(i));
@@ -250,7 +247,7 @@ std::vector<Sensitivity> sensitivities(const SizingProblem& problem, const Goal&
 }
 
 std::vector<FlatDirection> flat_directions(const SizingProblem& problem, const Goal& goal,
-                                           const Point& point) {
+                                           const SizingPoint& point) {
   const double most = flat_share * tolerated(problem, goal, point);
   std::vector<FlatDirection> flat;
   std::vector<std::size_t> others;

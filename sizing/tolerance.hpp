@@ -14,7 +14,7 @@ namespace reeve::sizing {
 inline constexpr double tolerated_loss = 0.01;
 
 // That part, in the unit of the loss.
-double tolerated(const SizingProblem& problem, const Goal& goal, const SizingProblem::Point& point);
+double tolerated(const SizingProblem& problem, const Goal& goal, const SizingPoint& point);
 
 // A goal that changes by no more has not changed: shares are of the order of 1 and carry the
 // rounding of the tensions, objectives are rounded to 1e-10, and factors of a product are up to 10.
@@ -25,8 +25,8 @@ Interval possible(const SizingProblem& problem, std::size_t variable);
 
 // How far a variable is looked at beyond the point, less (−1) or more (1): to the width of its
 // bounds beyond them, or as far as there is hardware.
-double room_beyond(const SizingProblem& problem, const SizingProblem::Point& point,
-                   std::size_t variable, int sign);
+double room_beyond(const SizingProblem& problem, const SizingPoint& point, std::size_t variable,
+                   int sign);
 
 struct Sensitivity {
   // Change of the goal per unit that the variable gets less, and more.
@@ -39,7 +39,7 @@ struct Sensitivity {
 };
 
 std::vector<Sensitivity> sensitivities(const SizingProblem& problem, const Goal& goal,
-                                       const SizingProblem::Point& point);
+                                       const SizingPoint& point);
 
 // A direction in which the goal hardly changes: going a tenth of the box there, either way, costs
 // less than a tenth of what is tolerated.
@@ -51,7 +51,7 @@ struct FlatDirection {
 // Among the variables that stand at no bound: the directions of least curvature. Each variable that
 // does nothing is a direction by itself.
 std::vector<FlatDirection> flat_directions(const SizingProblem& problem, const Goal& goal,
-                                           const SizingProblem::Point& point);
+                                           const SizingPoint& point);
 
 enum class AtBound : std::uint8_t { no, low, high };
 AtBound at_bound(const Interval& bounds, double value);
@@ -63,8 +63,7 @@ struct GoalProfile {
 };
 
 // One for each variable, evenly over its span. What has no tensions is left out.
-std::vector<GoalProfile> goal_profiles(const SizingProblem& problem,
-                                       const SizingProblem::Point& point,
+std::vector<GoalProfile> goal_profiles(const SizingProblem& problem, const SizingPoint& point,
                                        const std::vector<Interval>& spans);
 
 }  // namespace reeve::sizing

@@ -36,7 +36,7 @@
 
 namespace reeve::catalog {
 
-struct Rig {
+struct MechanismRig {
   std::string name;  // "" for the mechanism's own hardware
   // The printed number that a coefficient was inferred from; "" if none was.
   std::string inferred_from;
@@ -57,7 +57,7 @@ struct PublishedNumber {
   std::string word;
   Routing routing;
   Grasp grasp;
-  Rig rig;
+  MechanismRig rig;
   Expression computed;
   // Either a closed form or printed digits.
   std::optional<Expression> equals;

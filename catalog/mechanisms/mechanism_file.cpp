@@ -94,18 +94,18 @@ NamedValues read_let(const TomlNode* node) {
 
 // [hardware] and [rig.NAME] of the mechanism's file. The first rig is that of its own hardware,
 // with no name; of the others, what is not given is as there. Throws InputError.
-std::vector<Rig> read_rigs(const TomlNode& file) {
+std::vector<MechanismRig> read_rigs(const TomlNode& file) {
   TomlNode own;
   own.file = file.file;
   own.name = "hardware";
   if (const TomlNode* hardware = file.find("hardware")) own = *hardware;
-  std::vector<Rig> rigs{{"", "", read_let(nullptr), {}}};
+  std::vector<MechanismRig> rigs{{"", "", read_let(nullptr), {}}};
   rigs[0].hardware = read_own_hardware(own, rigs[0].let);
   const TomlNode* others = file.find("rig");
   if (others == nullptr) return rigs;
   for (const TomlNode& node : others->table().children) {
     node.table().allow_only({"inferred_from", "let", "hardware"});
-    Rig rig{node.key, "", read_let(node.find("let")), {}};
+    MechanismRig rig{node.key, "", read_let(node.find("let")), {}};
     if (const TomlNode* from = node.find("inferred_from")) rig.inferred_from = from->text();
     const TomlNode* hardware = node.find("hardware");
     rig.hardware = read_own_hardware(hardware == nullptr ? own : overlaid(own, *hardware), rig.let);
@@ -138,10 +138,10 @@ struct NumberNodes {
   }
 };
 
-const Rig& find_rig(const TomlNode* node, const std::vector<Rig>& rigs) {
+const MechanismRig& find_rig(const TomlNode* node, const std::vector<MechanismRig>& rigs) {
   if (node == nullptr) return rigs.front();
   std::string names;
-  for (const Rig& rig : rigs) {
+  for (const MechanismRig& rig : rigs) {
     if (!rig.name.empty() && rig.name == node->text()) return rig;
     if (!rig.name.empty()) names += (names.empty() ? "" : ", ") + rig.name;
   }
@@ -229,7 +229,7 @@ void require_names(const NumberNodes& nodes, const PublishedNumber& number) {
 }
 
 PublishedNumber read_number(const NumberNodes& nodes, const Mechanism& mechanism,
-                            const std::vector<Rig>& rigs) {
+                            const std::vector<MechanismRig>& rigs) {
   std::vector<std::string_view> keys = shared_keys;
   keys.insert(keys.end(), {"quantity", "where", "value", "equals", "tolerance", "used"});
   nodes.number.table().allow_only(keys);
@@ -255,7 +255,7 @@ PublishedNumber read_number(const NumberNodes& nodes, const Mechanism& mechanism
 }
 
 std::vector<PublishedNumber> read_numbers(const TomlNode& sets, const Mechanism& mechanism,
-                                          const std::vector<Rig>& rigs) {
+                                          const std::vector<MechanismRig>& rigs) {
   std::vector<std::string_view> keys = shared_keys;
   keys.insert(keys.end(), {"source", "numbers"});
   std::vector<PublishedNumber> numbers;
@@ -303,7 +303,7 @@ Mechanism read_mechanism(const TomlNode& file, const std::string& family) {
   mechanism.title = optional_text(file, "title");
   mechanism.source = optional_text(file, "source");
   mechanism.notes = optional_text(file, "notes");
-  const std::vector<Rig> rigs = read_rigs(file);
+  const std::vector<MechanismRig> rigs = read_rigs(file);
   if (file.find("hardware") != nullptr) mechanism.hardware = rigs.front().hardware;
   if (mechanism.from_secondary_source) require_no_numbers(file);
   if (const TomlNode* published = file.find("published")) {

@@ -15,7 +15,8 @@ void add_law(NamedValues& values, const std::string& part, const ContactLaw& law
 
 }  // namespace
 
-NamedValues named_values(const Rig& rig, const Network& network, const TensionState& state) {
+NamedValues named_values(const MechanismRig& rig, const Network& network,
+                         const TensionState& state) {
   NamedValues values;
   add_law(values, "t", rig.hardware.tube);
   add_law(values, "b", rig.hardware.bearing);

@@ -8,7 +8,8 @@
 namespace reeve::catalog {
 
 // Throws InputError if what the rig defines has a name that is taken.
-NamedValues named_values(const Rig& rig, const Network& network, const TensionState& state);
+NamedValues named_values(const MechanismRig& rig, const Network& network,
+                         const TensionState& state);
 
 // Solved with the number's own rig, in its grasp.
 NamedValues solved_values(const PublishedNumber& number);

@@ -24,12 +24,12 @@
 namespace reeve::cli {
 namespace {
 
-using Arguments = std::vector<std::string>;
+using RankArguments = std::vector<std::string>;
 
 // What can be asked otherwise than the store was made with.
-const Arguments askable{"--objectives", "--score", "--constraint", "--top"};
+const RankArguments askable{"--objectives", "--score", "--constraint", "--top"};
 // Decides how it is shown, or how fast.
-const Arguments showing{"--columns", "--text-width", "--threads", "--format"};
+const RankArguments showing{"--columns", "--text-width", "--threads", "--format"};
 
 bool sets(const std::string& argument, const std::string& option) {
   return argument == option || argument.starts_with(option + "=");
@@ -68,8 +68,8 @@ ExploreOptions stored_options(const ParsedExplore& explore, const StoreReader& s
 }
 
 // Those of the exploration, but for what is asked otherwise.
-Arguments as_asked(const Arguments& stored, const Arguments& asked) {
-  Arguments arguments = asked;
+RankArguments as_asked(const RankArguments& stored, const RankArguments& asked) {
+  RankArguments arguments = asked;
   for (const std::string& argument : stored) {
     const bool is_asked =
         std::any_of(askable.begin(), askable.end(), [&](const std::string& option) {
@@ -83,8 +83,8 @@ Arguments as_asked(const Arguments& stored, const Arguments& asked) {
 }
 
 // Of the options of `rank` those that are asked for.
-Arguments asked_arguments(const CLI::App& rank) {
-  Arguments arguments;
+RankArguments asked_arguments(const CLI::App& rank) {
+  RankArguments arguments;
   for (const std::string& argument : given_arguments(rank, showing)) {
     const bool is_asked =
         std::any_of(askable.begin(), askable.end(),
@@ -157,7 +157,7 @@ StoredRanking stored_ranking_of(const CLI::App& rank, const StoredRankingFlags& 
                                 const AsListed& as_listed) {
   require_nothing_else(rank);
   const StoreReader reader{std::filesystem::path(flags.store)};
-  const Arguments arguments = stored_arguments(reader.description(), flags.store);
+  const RankArguments arguments = stored_arguments(reader.description(), flags.store);
   const Catalogue catalogue = shipped_catalogue();
   const ParsedExplore then(arguments, flags.store);
   const ExploreOptions stored = stored_options(then, reader, flags.store, catalogue);

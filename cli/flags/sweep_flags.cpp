@@ -18,9 +18,9 @@ std::optional<CoefficientRange> SweepFlags::read() const {
   return for_name("--", [&] { return parse_sweep(text); });
 }
 
-void require_sweep(const std::optional<CoefficientRange>& over, const UncertaintyOptions& judged,
+void require_sweep(const std::optional<CoefficientRange>& over, const UncertaintyOptions& evaluated,
                    bool draws) {
-  if (over) for_name("--", [&] { validate(SweepOptions{judged, draws, *over}); });
+  if (over) for_name("--", [&] { validate(SweepOptions{evaluated, draws, *over}); });
 }
 
 }  // namespace reeve::cli

@@ -22,7 +22,7 @@ struct SweepFlags {
 };
 
 // Throws InputError where what is swept cannot be so. Does nothing without a range.
-void require_sweep(const std::optional<CoefficientRange>& over, const UncertaintyOptions& judged,
+void require_sweep(const std::optional<CoefficientRange>& over, const UncertaintyOptions& evaluated,
                    bool draws);
 
 }  // namespace reeve::cli

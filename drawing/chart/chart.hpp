@@ -146,7 +146,7 @@ struct Ribbons {
 };
 
 // Across the whole panel, between two values on that axis.
-struct Bands {
+struct PanelBands {
   std::vector<Span> bands;  // `at` says nothing
   Along on = Along::y;
 };
@@ -162,7 +162,7 @@ struct Texts {
   std::vector<Spot> texts;
 };
 
-using Marks = std::variant<Points, Bars, Spans, Paths, Bands, Rules, Texts, Ribbons>;
+using Marks = std::variant<Points, Bars, Spans, Paths, PanelBands, Rules, Texts, Ribbons>;
 
 struct Layer {
   std::string name;  // in the legend

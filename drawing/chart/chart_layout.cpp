@@ -13,15 +13,15 @@ constexpr double before_legend = 8;
 constexpr double least_legend = 320;
 constexpr double least_heading = 200;
 
-struct Row {
+struct PanelRow {
   std::size_t begin = 0;  // panels
   std::size_t end = 0;
   const std::string* heading = nullptr;
 };
 
-std::vector<Row> rows(const Chart& chart) {
+std::vector<PanelRow> rows(const Chart& chart) {
   const std::size_t columns = std::max<std::size_t>(chart.columns, 1);
-  std::vector<Row> result;
+  std::vector<PanelRow> result;
   for (std::size_t i = 0; i < chart.panels.size(); ++i) {
     const std::string& heading = chart.panels[i].heading;
     if (result.empty() || !heading.empty() || i - result.back().begin == columns) {
@@ -46,11 +46,11 @@ std::vector<Extent> extents(const Chart& chart, Along along, bool shared) {
   return result;
 }
 
-std::vector<LaidPanel> lay_panels(const Chart& chart, const std::vector<Row>& rows) {
+std::vector<LaidPanel> lay_panels(const Chart& chart, const std::vector<PanelRow>& rows) {
   const std::vector<Extent> x = extents(chart, Along::x, chart.shared_x);
   const std::vector<Extent> y = extents(chart, Along::y, chart.shared_y);
   std::vector<LaidPanel> panels;
-  for (const Row& row : rows) {
+  for (const PanelRow& row : rows) {
     for (std::size_t i = row.begin; i < row.end; ++i) {
       const bool numbers_at_y = !chart.shared_y || i == row.begin;
       panels.push_back(
@@ -67,10 +67,10 @@ struct ColumnPlace {
   double frame = 0;
 };
 
-std::vector<ColumnPlace> columns(const Chart& chart, const std::vector<Row>& rows,
+std::vector<ColumnPlace> columns(const Chart& chart, const std::vector<PanelRow>& rows,
                                  const std::vector<LaidPanel>& panels) {
   std::vector<ColumnPlace> result;
-  for (const Row& row : rows) {
+  for (const PanelRow& row : rows) {
     for (std::size_t i = row.begin; i < row.end; ++i) {
       const std::size_t column = i - row.begin;
       if (column == result.size()) result.emplace_back();
@@ -98,8 +98,8 @@ double add_heading(const std::string& heading, double right, double top, ChartLa
 }
 
 // Moves the panels of a row, and says where the next may begin.
-double put_row(const Row& row, const std::vector<ColumnPlace>& columns, double width, double top,
-               ChartLayout& layout) {
+double put_row(const PanelRow& row, const std::vector<ColumnPlace>& columns, double width,
+               double top, ChartLayout& layout) {
   const double right = columns[row.end - row.begin - 1].frame + width;
   if (row.heading != nullptr) top = add_heading(*row.heading, right, top, layout);
   double above = 0;
@@ -258,12 +258,12 @@ std::vector<LaidLabel> mark_labels(const LaidPanel& panel) {
 }  // namespace
 
 ChartLayout layout(const Chart& chart) {
-  const std::vector<Row> all_rows = rows(chart);
+  const std::vector<PanelRow> all_rows = rows(chart);
   ChartLayout layout;
   layout.panels = lay_panels(chart, all_rows);
   const std::vector<ColumnPlace> places = columns(chart, all_rows, layout.panels);
   double top = margin;
-  for (const Row& row : all_rows) top = put_row(row, places, chart.width, top, layout);
+  for (const PanelRow& row : all_rows) top = put_row(row, places, chart.width, top, layout);
   for (const LaidPanel& panel : layout.panels) layout.labels.push_back(mark_labels(panel));
   add_legend(chart, layout);
   return layout;

@@ -27,7 +27,7 @@ class Reaching {
   void operator()(const Paths& paths) const {
     for (const Polyline& path : paths.paths) add(path.through);
   }
-  void operator()(const Bands& bands) const {
+  void operator()(const PanelBands& bands) const {
     if (bands.on != along_) return;
     for (const Span& band : bands.bands) add_ends(band);
   }

@@ -183,7 +183,7 @@ Appearance appearance(const Layer& layer) {
     Appearance operator()(const Paths&) const {
       return {"reeve-paths", no_fill + stroke(style) + attribute("stroke-linejoin", "round")};
     }
-    Appearance operator()(const Bands&) const { return {"reeve-bands", filled(style, false)}; }
+    Appearance operator()(const PanelBands&) const { return {"reeve-bands", filled(style, false)}; }
     Appearance operator()(const Texts&) const { return {"reeve-texts", ""}; }
     Appearance operator()(const Ribbons&) const { return {"reeve-ribbons", filled(style, false)}; }
     Appearance operator()(const Rules&) const { return {"reeve-rules", no_fill + stroke(style)}; }
@@ -259,7 +259,7 @@ class Drawing {
     return text;
   }
 
-  std::string operator()(const Bands& bands) const {
+  std::string operator()(const PanelBands& bands) const {
     std::string text;
     for (const Span& band : bands.bands) {
       if (!can_be_drawn(band.low) || !can_be_drawn(band.high)) continue;
@@ -346,7 +346,8 @@ std::string legend_symbol(const Layer& layer, const Box& room) {
     const double size = std::clamp(layer.style.size, 3.0, 6.0);
     return symbol(layer.style.symbol, centre, size) + "/>\n";
   }
-  if (std::holds_alternative<Bars>(layer.marks) || std::holds_alternative<Bands>(layer.marks) ||
+  if (std::holds_alternative<Bars>(layer.marks) ||
+      std::holds_alternative<PanelBands>(layer.marks) ||
       std::holds_alternative<Ribbons>(layer.marks)) {
     return rectangle({centre.x - 7, centre.y - 6, centre.x + 7, centre.y + 6}) + "/>\n";
   }

@@ -45,7 +45,7 @@ struct Straights {
 
 Straights straights(const Fittings& all, const Arrangement& made) {
   Straights found;
-  for (const Stretch& stretch : made.lanes.stretches) {
+  for (const LaneStretch& stretch : made.lanes.stretches) {
     const double y = height(made.heights, stretch);
     const double one = column(all, made.columns, stretch.port[0]);
     const double other = column(all, made.columns, stretch.port[1]);
@@ -328,7 +328,7 @@ class Arranging {
 
 // The level pieces of each segment, in walk order.
 void add_pieces(const Arrangement& made, Places& places) {
-  for (const Stretch& stretch : made.lanes.stretches) {
+  for (const LaneStretch& stretch : made.lanes.stretches) {
     const auto [one, other] = places.fittings.segments[stretch.segment].port;
     // Of two stretches the upper comes first.
     const bool backwards = stretch.port[1] == one || stretch.port[0] == other;

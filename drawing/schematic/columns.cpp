@@ -56,7 +56,7 @@ class Spacing {
         x_(all.fittings.size(), 0),
         distances_(distances(x_.size(), strips)),
         wishes_(x_.size()) {
-    for (const Stretch& stretch : lanes.stretches) add_wishes(stretch);
+    for (const LaneStretch& stretch : lanes.stretches) add_wishes(stretch);
     for (std::vector<Wish>& wishes : wishes_) keep_straight_ones(wishes);
   }
 
@@ -81,7 +81,7 @@ class Spacing {
   const std::vector<double>& middles() const { return x_; }
 
  private:
-  void add_wishes(const Stretch& stretch) {
+  void add_wishes(const LaneStretch& stretch) {
     const ColumnOf one = column_of(all_, stretch.port[0]);
     const ColumnOf other = column_of(all_, stretch.port[1]);
     const bool straight = stretch.rises[0] != stretch.rises[1];

@@ -179,7 +179,7 @@ double height(const Fittings& all, const Heights& heights, std::size_t port) {
   return eye ? middle + (fitting.inverted ? -1 : 1) * tail_eye : middle;
 }
 
-double height(const Heights& heights, const Stretch& stretch) {
+double height(const Heights& heights, const LaneStretch& stretch) {
   return heights.channel[stretch.channel].lanes + lane_pitch * static_cast<double>(stretch.lane);
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 std::size_t level_of(const Fittings& all, std::size_t port) { return all.of(port).level; }
 
-void add_stretches(const Fittings& all, std::size_t segment, std::vector<Stretch>& found) {
+void add_stretches(const Fittings& all, std::size_t segment, std::vector<LaneStretch>& found) {
   const SegmentEnds& ends = all.segments[segment];
   const auto [one, other] = ends.port;
   if (one == nowhere || other == nowhere) return;
@@ -33,9 +33,9 @@ void add_stretches(const Fittings& all, std::size_t segment, std::vector<Stretch
   found.push_back({segment, level_of(all, lower) - 1, 0, {ends.via, lower}, {false, false}});
 }
 
-class Channel {
+class ChannelLanes {
  public:
-  Channel(std::vector<Stretch*> stretches, const Ranks& ranks)
+  ChannelLanes(std::vector<LaneStretch*> stretches, const Ranks& ranks)
       : order_(std::move(stretches)), ranks_(ranks) {}
 
   // Returns how many lanes they take.
@@ -62,14 +62,16 @@ class Channel {
   }
 
  private:
-  double left(const Stretch& a) const { return std::min(ranks_[a.port[0]], ranks_[a.port[1]]); }
-  double right(const Stretch& a) const { return std::max(ranks_[a.port[0]], ranks_[a.port[1]]); }
-  bool overlap(const Stretch& a, const Stretch& b) const {
+  double left(const LaneStretch& a) const { return std::min(ranks_[a.port[0]], ranks_[a.port[1]]); }
+  double right(const LaneStretch& a) const {
+    return std::max(ranks_[a.port[0]], ranks_[a.port[1]]);
+  }
+  bool overlap(const LaneStretch& a, const LaneStretch& b) const {
     return left(a) <= right(b) && left(b) <= right(a);
   }
 
   // … of two stretches, the upper above the lower.
-  int crossings(const Stretch& upper, const Stretch& lower) const {
+  int crossings(const LaneStretch& upper, const LaneStretch& lower) const {
     int count = 0;
     for (const std::size_t end : {0U, 1U}) {
       const double up = ranks_[upper.port[end]];
@@ -80,7 +82,7 @@ class Channel {
     return count;
   }
 
-  std::vector<Stretch*> order_;
+  std::vector<LaneStretch*> order_;
   const Ranks& ranks_;
 };
 
@@ -90,11 +92,11 @@ Lanes lanes(const Fittings& all, const Ranks& ranks) {
   Lanes found;
   for (std::size_t i = 0; i < all.segments.size(); ++i) add_stretches(all, i, found.stretches);
   for (std::size_t channel = 0; channel < all.sheath_level + 2; ++channel) {
-    std::vector<Stretch*> here;
-    for (Stretch& stretch : found.stretches) {
+    std::vector<LaneStretch*> here;
+    for (LaneStretch& stretch : found.stretches) {
       if (stretch.channel == channel) here.push_back(&stretch);
     }
-    found.of_channel.push_back(Channel(std::move(here), ranks).assign());
+    found.of_channel.push_back(ChannelLanes(std::move(here), ranks).assign());
   }
   return found;
 }

@@ -20,7 +20,7 @@ namespace reeve::drawing {
 // pass the same height.
 using Ranks = std::vector<double>;
 
-struct Stretch {
+struct LaneStretch {
   std::size_t segment = 0;
   std::size_t channel = 0;  // below the level of this number
   std::size_t lane = 0;     // 0: the topmost
@@ -29,7 +29,7 @@ struct Stretch {
 };
 
 struct Lanes {
-  std::vector<Stretch> stretches;
+  std::vector<LaneStretch> stretches;
   std::vector<std::size_t> of_channel;  // how many lanes each has
 };
 
@@ -59,7 +59,7 @@ Heights heights(const Network& network, const Fittings& all, const Lanes& lanes)
 
 // The height of a port: of the middle of its turn, its eye or its knot.
 double height(const Fittings& all, const Heights& heights, std::size_t port);
-double height(const Heights& heights, const Stretch& stretch);
+double height(const Heights& heights, const LaneStretch& stretch);
 // Where a loose end is held, beyond that port.
 double loose_end(const Fittings& all, const Heights& heights, std::size_t port, LooseEnd end);
 // The top of a label at that port.

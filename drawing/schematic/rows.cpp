@@ -46,9 +46,9 @@ struct Arc {
   double radius = 0;
 };
 
-class Rows {
+class RowPlacement {
  public:
-  Rows(const Network& network, Fittings fittings)
+  RowPlacement(const Network& network, Fittings fittings)
       : net_(network),
         out_(std::move(fittings)),
         all_(out_.fittings),
@@ -409,7 +409,7 @@ class Rows {
 }  // namespace
 
 Places places_in_rows(const Network& network, Fittings fittings) {
-  return Rows(network, std::move(fittings)).place();
+  return RowPlacement(network, std::move(fittings)).place();
 }
 
 }  // namespace reeve::drawing

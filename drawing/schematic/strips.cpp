@@ -20,7 +20,7 @@ class Cutting {
 
   std::vector<Strip> cut() {
     for (std::size_t i = 0; i < all_.fittings.size(); ++i) add_body(i);
-    for (const Stretch& stretch : lanes_.stretches) add_lines(stretch);
+    for (const LaneStretch& stretch : lanes_.stretches) add_lines(stretch);
     for (std::size_t i = 0; i < all_.segments.size(); ++i) add_straight(i);
     for (std::size_t i = 0; i < all_.segments.size(); ++i) add_label(i);
     return std::move(strips_);
@@ -78,7 +78,7 @@ class Cutting {
     strips_.push_back({base, ranks_[port], middle + left, middle + right, top, bottom});
   }
 
-  void add_lines(const Stretch& stretch) {
+  void add_lines(const LaneStretch& stretch) {
     const double y = height(heights_, stretch);
     for (const std::size_t end : {0U, 1U}) {
       const bool rises = stretch.rises[end];
@@ -90,8 +90,8 @@ class Cutting {
   }
 
   // Where the line's other stretch lies.
-  double height_at_bend(const Stretch& stretch, std::size_t port) const {
-    for (const Stretch& other : lanes_.stretches) {
+  double height_at_bend(const LaneStretch& stretch, std::size_t port) const {
+    for (const LaneStretch& other : lanes_.stretches) {
       if (&other == &stretch || other.segment != stretch.segment) continue;
       if (other.port[0] == port || other.port[1] == port) return height(heights_, other);
     }

@@ -14,12 +14,12 @@ namespace {
 
 constexpr double linear_to_N = 0.1;  // of the logarithmic scales: a slack strand reads 0
 
-struct DrawnModel {
+struct FigureModel {
   const char* title;
   double ReadingMark::*predicted_N;
 };
 
-std::vector<DrawnModel> models(const DiagnosisReport& report) {
+std::vector<FigureModel> models(const DiagnosisReport& report) {
   if (report.result.causes.empty()) return {{"the model as it stands", &ReadingMark::before_N}};
   return {{"before: the model as it stands", &ReadingMark::before_N},
           {"after: the extended model", &ReadingMark::after_N}};
@@ -48,7 +48,7 @@ std::string title(const ReadingMark& mark, double predicted_N, bool has_held_out
          fmt::format("\nmeasured {:.4g} N, predicted {:.4g} N", mark.measured_N, predicted_N);
 }
 
-chart::Points points(const std::vector<ReadingMark>& marks, const DrawnModel& model,
+chart::Points points(const std::vector<ReadingMark>& marks, const FigureModel& model,
                      const std::string& routing, bool held_out, bool has_held_out) {
   chart::Points points;
   for (const ReadingMark& mark : marks) {
@@ -62,7 +62,7 @@ chart::Points points(const std::vector<ReadingMark>& marks, const DrawnModel& mo
 
 // Filled what no fit has seen, hollow what was fitted to; of one name, so that the legend has it
 // once, filled where both are.
-std::vector<chart::Layer> layers(const std::vector<ReadingMark>& marks, const DrawnModel& model,
+std::vector<chart::Layer> layers(const std::vector<ReadingMark>& marks, const FigureModel& model,
                                  bool has_held_out) {
   std::vector<chart::Layer> layers;
   const std::vector<std::string> names = routings(marks);
@@ -95,8 +95,8 @@ chart::Extent tensions(const std::vector<ReadingMark>& marks) {
   return extent;
 }
 
-chart::Panel panel(const std::vector<ReadingMark>& marks, const DrawnModel& model, double linear_to,
-                   bool has_held_out) {
+chart::Panel panel(const std::vector<ReadingMark>& marks, const FigureModel& model,
+                   double linear_to, bool has_held_out) {
   const chart::Extent extent = tensions(marks);
   chart::Panel panel;
   panel.title = model.title;
@@ -120,7 +120,7 @@ std::string drawn(const DiagnosisReport& report, const std::vector<ReadingMark>&
                   double linear_to) {
   chart::Chart chart;
   const bool has_held_out = report.result.held_out_runs > 0;
-  for (const DrawnModel& model : models(report)) {
+  for (const FigureModel& model : models(report)) {
     chart.panels.push_back(panel(marks, model, linear_to, has_held_out));
   }
   if (has_held_out) explain_filling(chart.panels.front());

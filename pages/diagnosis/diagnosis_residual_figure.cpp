@@ -20,13 +20,13 @@ constexpr std::size_t most_bins = 8;
 using Residual = double ReadingMark::*;
 
 // Where the marks lie along the column, NaN for those that have no value of it.
-struct Along {
+struct PlacesAlong {
   std::vector<std::string> categories;  // in the order in which they come first; none for numbers
   std::vector<double> places;           // parallel to the marks
 };
 
-Along along(const std::vector<ReadingMark>& marks, const MarkColumn& column) {
-  Along result;
+PlacesAlong along(const std::vector<ReadingMark>& marks, const MarkColumn& column) {
+  PlacesAlong result;
   for (const ReadingMark& mark : marks) {
     if (column.category == nullptr) {
       result.places.push_back(column.number(*mark.reading).value_or(std::nan("")));
@@ -45,7 +45,8 @@ std::string title(const ReadingMark& mark, double residual) {
                      mark.reading->line, residual);
 }
 
-chart::Layer points(const std::vector<ReadingMark>& marks, const Along& along, Residual residual) {
+chart::Layer points(const std::vector<ReadingMark>& marks, const PlacesAlong& along,
+                    Residual residual) {
   chart::Points points;
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const double value = marks[i].*residual;
@@ -58,7 +59,7 @@ chart::Layer points(const std::vector<ReadingMark>& marks, const Along& along, R
 }
 
 // The place at which each mark is counted: its category, or the middle of its bin.
-std::vector<double> groups(const Along& along) {
+std::vector<double> groups(const PlacesAlong& along) {
   if (!along.categories.empty()) return along.places;
   chart::Extent extent;
   for (const double place : along.places) extent.add(place);
@@ -73,7 +74,7 @@ std::vector<double> groups(const Along& along) {
 }
 
 // Mean, and as far as a standard deviation to both sides, of each category or bin.
-std::vector<chart::Layer> means(const std::vector<ReadingMark>& marks, const Along& along,
+std::vector<chart::Layer> means(const std::vector<ReadingMark>& marks, const PlacesAlong& along,
                                 Residual residual) {
   std::map<double, std::vector<double>> values;
   const std::vector<double> places = groups(along);
@@ -99,7 +100,8 @@ std::vector<chart::Layer> means(const std::vector<ReadingMark>& marks, const Alo
   return {{"", style, spreads}, {"", style, points}};
 }
 
-chart::Panel panel(const std::vector<ReadingMark>& marks, const Along& along, Residual residual) {
+chart::Panel panel(const std::vector<ReadingMark>& marks, const PlacesAlong& along,
+                   Residual residual) {
   chart::Panel panel;
   panel.x.categories = along.categories;
   panel.x.grid = false;
@@ -109,7 +111,7 @@ chart::Panel panel(const std::vector<ReadingMark>& marks, const Along& along, Re
   panel.y.format = chart::Format::with_sign;
   chart::Style band{chart::Colour::grey};
   band.fill = 0.15;
-  panel.layers = {{"", band, chart::Bands{{{0, -linear_to, linear_to, ""}}, chart::Along::y}},
+  panel.layers = {{"", band, chart::PanelBands{{{0, -linear_to, linear_to, ""}}, chart::Along::y}},
                   points(marks, along, residual)};
   for (chart::Layer& layer : means(marks, along, residual))
     panel.layers.push_back(std::move(layer));
@@ -121,7 +123,7 @@ chart::Panel panel(const std::vector<ReadingMark>& marks, const Along& along, Re
 Figure residual_figure(const DiagnosisReport& report, const std::vector<ReadingMark>& marks,
                        const MarkColumn& column) {
   const bool extended = !report.result.causes.empty();
-  const Along places = along(marks, column);
+  const PlacesAlong places = along(marks, column);
   chart::Chart chart;
   chart.panels.push_back(panel(marks, places, &ReadingMark::residual_before));
   chart.panels.front().heading = fmt::format("by {}", column.title);

@@ -44,7 +44,7 @@ void add_noise_limit(const NoiseLimit& limit, chart::Panel& panel) {
   chart::Style dashed{chart::Colour::ink};
   dashed.dash = chart::Dash::dashed;
   panel.layers.push_back({"where noise puts that, 95 %", grey,
-                          chart::Bands{{{0, limit.low, limit.high, ""}}, chart::Along::x}});
+                          chart::PanelBands{{{0, limit.low, limit.high, ""}}, chart::Along::x}});
   panel.layers.push_back({"as good as noise allows", dashed,
                           chart::Rules{{{limit.log_likelihood_gain, "as good as noise allows", ""}},
                                        chart::Along::x}});

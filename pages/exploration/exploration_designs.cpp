@@ -82,7 +82,7 @@ std::vector<std::string_view> words_of_others(const ExploreReport& report) {
   return words;
 }
 
-PageDesign page_design(const ListedDesign& listed, Kind kind) {
+PageDesign page_design(const ListedDesign& listed, DesignKind kind) {
   const RankedDesign& ranked = listed.ranked;
   return {kind,           ranked.design.word,    listed.name,         ranked.rank,
           ranked.front,   ranked.design.values,  listed.distribution, listed.bands,
@@ -91,21 +91,21 @@ PageDesign page_design(const ListedDesign& listed, Kind kind) {
 
 }  // namespace
 
-const char* design_kind_name(Kind kind) {
+const char* design_kind_name(DesignKind kind) {
   constexpr std::array<const char*, kind_count> names{"listed", "on the front", "known routing",
                                                       "random sample"};
   return names[static_cast<std::size_t>(kind)];
 }
 
-chart::Style design_style(Kind kind) {
+chart::Style design_style(DesignKind kind) {
   switch (kind) {
-    case Kind::listed:
+    case DesignKind::listed:
       return {chart::Colour::blue, chart::Symbol::circle, 3, 1.5, 1, 0.55};
-    case Kind::front:
+    case DesignKind::front:
       return {chart::Colour::orange, chart::Symbol::square, 4.5};
-    case Kind::known:
+    case DesignKind::known:
       return {chart::Colour::green, chart::Symbol::triangle, 5};
-    case Kind::sample:
+    case DesignKind::sample:
       break;
   }
   return {chart::Colour::pink, chart::Symbol::diamond, 2, 1.5, 1, 0.45};
@@ -132,9 +132,9 @@ std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t mo
   std::vector<PageDesign> designs;
   designs.reserve(count + report.result.sample.size());
   for (std::size_t i = 0; i < count; ++i) {
-    const Kind kind = known.contains(listed[i].ranked.design.word) ? Kind::known
-                      : listed[i].ranked.front == 1                ? Kind::front
-                                                                   : Kind::listed;
+    const DesignKind kind = known.contains(listed[i].ranked.design.word) ? DesignKind::known
+                            : listed[i].ranked.front == 1                ? DesignKind::front
+                                                                         : DesignKind::listed;
     designs.push_back(page_design(listed[i], kind));
   }
   const WordPlaces places = listed_places(report, words_of_others(report));
@@ -146,20 +146,20 @@ std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t mo
   for (std::size_t i = 0; i < report.result.references.size(); ++i) {
     const ReferenceStanding& reference = report.result.references[i];
     if (!is_new(reference.design.word)) continue;
-    designs.push_back({Kind::known, reference.design.word, report.reference_names[i],
+    designs.push_back({DesignKind::known, reference.design.word, report.reference_names[i],
                        reference.rank, reference.front, reference.design.values, std::nullopt,
                        report.reference_bands.empty() ? Bands{} : report.reference_bands[i]});
   }
   for (const ListedDesign* design : of_the_ladder(report)) {
     const RankedDesign& ranked = design->ranked;
     if (!is_new(ranked.design.word)) continue;
-    designs.push_back({Kind::listed, ranked.design.word, design->name, ranked.rank, ranked.front,
-                       ranked.design.values, std::nullopt});
+    designs.push_back({DesignKind::listed, ranked.design.word, design->name, ranked.rank,
+                       ranked.front, ranked.design.values, std::nullopt});
   }
   // What is listed has a rank, even if there is no room for it here.
   for (const Design& design : report.result.sample) {
     if (places.contains(design.word) || added.contains(design.word)) continue;
-    designs.push_back({Kind::sample, design.word, "", 0, 0, design.values, std::nullopt});
+    designs.push_back({DesignKind::sample, design.word, "", 0, 0, design.values, std::nullopt});
   }
   return designs;
 }

@@ -17,19 +17,19 @@
 namespace reeve::pages {
 
 // What a design is here for, as the scripts count it.
-enum class Kind : std::uint8_t { listed, front, known, sample };
+enum class DesignKind : std::uint8_t { listed, front, known, sample };
 inline constexpr std::size_t kind_count = 4;
 
 // "listed", "on the front", "known routing", "random sample"
-const char* design_kind_name(Kind kind);
+const char* design_kind_name(DesignKind kind);
 
 // How charts mark designs, on every page: the front is an orange square wherever it is drawn.
-chart::Style design_style(Kind kind);
+chart::Style design_style(DesignKind kind);
 // What a reader is advised to look at: the affordable design and the knee.
 chart::Style advised_style();
 
 struct PageDesign {
-  Kind kind = Kind::listed;
+  DesignKind kind = DesignKind::listed;
   std::string word;
   std::string name;      // "" if it has none
   std::size_t rank = 0;  // 0: none is known

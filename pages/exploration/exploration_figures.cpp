@@ -28,8 +28,8 @@ using GridCell = std::tuple<int, double, double>;
 GridCell grid_cell(const PageDesign& design, std::size_t index, const Point& at,
                    const SpotGrid& grid) {
   const int kind = static_cast<int>(design.kind);
-  if (design.kind == Kind::known) return {kind, static_cast<double>(index), 0};
-  const double finer = design.kind == Kind::front ? 5 : 1;
+  if (design.kind == DesignKind::known) return {kind, static_cast<double>(index), 0};
+  const double finer = design.kind == DesignKind::front ? 5 : 1;
   return {kind, std::round(at.x * grid.columns * finer), std::round(at.y * grid.lines * finer)};
 }
 
@@ -61,7 +61,7 @@ std::map<std::size_t, std::string> known_labels(const std::vector<PageDesign>& d
   std::map<std::string, Shared> spots;
   for (const DrawnDesign& each : drawn) {
     const PageDesign& design = designs[each.design];
-    if (design.kind != Kind::known) continue;
+    if (design.kind != DesignKind::known) continue;
     const Point at = spot(design, axes);
     Shared& shared =
         spots.try_emplace(fmt::format("{:.3g} {:.3g}", at.x, at.y), Shared{each.design, {}})
@@ -138,7 +138,7 @@ std::vector<BandedSpot> banded(const std::vector<PageDesign>& designs,
   std::vector<BandedSpot> spots;
   for (const DrawnDesign& each : drawn) {
     const PageDesign& design = designs[each.design];
-    if (design.kind != Kind::front && design.kind != Kind::known) continue;
+    if (design.kind != DesignKind::front && design.kind != DesignKind::known) continue;
     const Point at = spot(design, axes);
     spots.push_back({at.x, at.y, design.bands, label(design)});
   }

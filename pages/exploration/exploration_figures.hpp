@@ -62,10 +62,11 @@ inline bool is_empty(const chart::Paths& paths) { return paths.paths.empty(); }
 // layers without marks stand there for them.
 template <typename Marks>
 std::vector<chart::Layer> kind_layers(const std::array<Marks, kind_count>& marks,
-                                      chart::Style (*style)(Kind)) {
-  constexpr std::array order{Kind::sample, Kind::listed, Kind::front, Kind::known};
+                                      chart::Style (*style)(DesignKind)) {
+  constexpr std::array order{DesignKind::sample, DesignKind::listed, DesignKind::front,
+                             DesignKind::known};
   std::vector<chart::Layer> layers;
-  for (const Kind kind : order) {
+  for (const DesignKind kind : order) {
     const Marks& some = marks[static_cast<std::size_t>(kind)];
     if (is_empty(some)) continue;
     layers.insert(layers.begin(), {design_kind_name(kind), style(kind), Marks{}});

@@ -175,12 +175,13 @@ PageFiles exploration_page(const ExplorationView& view) {
   body.update(static_tables(report));
   body.update(answer_body(report, view.solve));
   body["ladder"] = ladder_html(report.ladder);
-  std::vector<Term> terms = ranking_terms();
-  for (Term& term : objective_terms(page_objectives(report))) terms.push_back(std::move(term));
+  std::vector<GlossaryTerm> terms = ranking_terms();
+  for (GlossaryTerm& term : objective_terms(page_objectives(report)))
+    terms.push_back(std::move(term));
   body["glossary"] = glossary_html("Front, alike and the objectives: what they mean", terms);
   const auto sampled =
       std::count_if(held.designs.begin(), held.designs.end(),
-                    [](const PageDesign& design) { return design.kind == Kind::sample; });
+                    [](const PageDesign& design) { return design.kind == DesignKind::sample; });
   body["has_sample"] = sampled > 0;
   body["title"] = title(report);
   body["held_text"] = held_text(report, held.listed) + sample_text(report, sampled);

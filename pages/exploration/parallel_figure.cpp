@@ -25,26 +25,26 @@ std::vector<std::size_t> with_lines(const std::vector<PageDesign>& designs) {
   for (std::size_t i = 0; i < designs.size(); ++i) {
     const bool ranked = designs[i].rank > 0 && best < parallel_lines;
     best += ranked ? 1 : 0;
-    if (ranked || designs[i].kind == Kind::known) picked.push_back(i);
+    if (ranked || designs[i].kind == DesignKind::known) picked.push_back(i);
   }
   return picked;
 }
 
-chart::Style line_style(Kind kind) {
+chart::Style line_style(DesignKind kind) {
   const chart::Style point = design_style(kind);
   chart::Style style;
   style.colour = point.colour;
-  style.line = kind == Kind::front || kind == Kind::known ? 2 : 1.2;
-  style.opacity = kind == Kind::listed ? 0.7 : 1;
-  if (kind == Kind::known) style.dash = chart::Dash::dashed;
+  style.line = kind == DesignKind::front || kind == DesignKind::known ? 2 : 1.2;
+  style.opacity = kind == DesignKind::listed ? 0.7 : 1;
+  if (kind == DesignKind::known) style.dash = chart::Dash::dashed;
   return style;
 }
 
 // From 0, the worst, to 1, the best of the designs.
-struct Heights {
+struct DesignHeights {
   std::array<chart::Extent, objective_count> extents;
 
-  explicit Heights(const std::vector<PageDesign>& designs) {
+  explicit DesignHeights(const std::vector<PageDesign>& designs) {
     for (const PageDesign& design : designs) {
       for (std::size_t i = 0; i < objective_count; ++i) extents[i].add(design.values[i]);
     }
@@ -60,7 +60,7 @@ struct Heights {
 
 // Bars across an axis, the wider the more designs have such a value: their width is the square root
 // of the share in the fullest, so that a few show beside thousands.
-chart::Paths density(const Heights& heights, const std::vector<PageDesign>& designs,
+chart::Paths density(const DesignHeights& heights, const std::vector<PageDesign>& designs,
                      const std::vector<Objective>& shown) {
   chart::Paths bars;
   for (std::size_t k = 0; k < shown.size(); ++k) {
@@ -86,7 +86,7 @@ chart::Paths density(const Heights& heights, const std::vector<PageDesign>& desi
 }
 
 // The best value above each axis, the worst below.
-chart::Texts ends(const Heights& heights, const std::vector<Objective>& shown) {
+chart::Texts ends(const DesignHeights& heights, const std::vector<Objective>& shown) {
   constexpr double beyond = 0.055;
   chart::Texts texts;
   for (std::size_t k = 0; k < shown.size(); ++k) {
@@ -103,7 +103,7 @@ chart::Texts ends(const Heights& heights, const std::vector<Objective>& shown) {
 chart::Panel parallel_panel(const std::vector<PageDesign>& designs,
                             const std::vector<std::size_t>& picked,
                             const std::vector<Objective>& shown) {
-  const Heights heights(designs);
+  const DesignHeights heights(designs);
   chart::Panel panel;
   for (const Objective objective : shown) {
     panel.x.categories.push_back(objective_title(row(objective)) +

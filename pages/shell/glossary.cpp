@@ -9,7 +9,7 @@
 
 namespace reeve::pages {
 
-std::vector<Term> ranking_terms() {
+std::vector<GlossaryTerm> ranking_terms() {
   return {{"front",
            "1: the Pareto front, designs that no other beats in all that the ranking counts; 2: "
            "the front of what is then left, and so on"},
@@ -19,7 +19,7 @@ std::vector<Term> ranking_terms() {
           {"known routing", "one that has a name, from print"}};
 }
 
-std::vector<Term> ladder_terms() {
+std::vector<GlossaryTerm> ladder_terms() {
   return {{"gain", "improvement over the line above"},
           {"kept", "what is left of the first design in the ranked objective that loses most"},
           {"knee",
@@ -28,7 +28,7 @@ std::vector<Term> ladder_terms() {
           {"within …", "the design with least of the measure that loses no more than this"}};
 }
 
-std::vector<Term> routing_terms() {
+std::vector<GlossaryTerm> routing_terms() {
   return {
       {"strand", "one of the two lengths of tendon along a finger: T1, T2 at finger 1, and so on"},
       {"held", "a finger that an object stops; the others close on"},
@@ -38,8 +38,8 @@ std::vector<Term> routing_terms() {
        "makes the tension fall in that direction"}};
 }
 
-std::vector<Term> objective_terms(const std::vector<Objective>& objectives) {
-  std::vector<Term> terms;
+std::vector<GlossaryTerm> objective_terms(const std::vector<Objective>& objectives) {
+  std::vector<GlossaryTerm> terms;
   for (const Objective objective : objectives) {
     const ObjectiveRow& about = row(objective);
     const std::string unit =
@@ -51,9 +51,10 @@ std::vector<Term> objective_terms(const std::vector<Objective>& objectives) {
   return terms;
 }
 
-std::string glossary_html(const std::string& about, const std::vector<Term>& terms) {
+std::string glossary_html(const std::string& about, const std::vector<GlossaryTerm>& terms) {
   Json list = Json::array();
-  for (const Term& term : terms) list.push_back({{"word", term.word}, {"meaning", term.meaning}});
+  for (const GlossaryTerm& term : terms)
+    list.push_back({{"word", term.word}, {"meaning", term.meaning}});
   return render("glossary.mustache", {{"about", about}, {"terms", list}});
 }
 

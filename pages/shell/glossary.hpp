@@ -9,21 +9,21 @@
 
 namespace reeve::pages {
 
-struct Term {
+struct GlossaryTerm {
   std::string word;
   std::string meaning;
 };
 
 // What stands in every ranking besides its objectives.
-std::vector<Term> ranking_terms();
+std::vector<GlossaryTerm> ranking_terms();
 // What stands in a ladder.
-std::vector<Term> ladder_terms();
+std::vector<GlossaryTerm> ladder_terms();
 // Of a routing by itself.
-std::vector<Term> routing_terms();
+std::vector<GlossaryTerm> routing_terms();
 // The objectives by the names that pages give them, with their unit and which way is better.
-std::vector<Term> objective_terms(const std::vector<Objective>& objectives);
+std::vector<GlossaryTerm> objective_terms(const std::vector<Objective>& objectives);
 
 // HTML; `about` says what the words are of: "Words in this table".
-std::string glossary_html(const std::string& about, const std::vector<Term>& terms);
+std::string glossary_html(const std::string& about, const std::vector<GlossaryTerm>& terms);
 
 }  // namespace reeve::pages

@@ -69,13 +69,13 @@ std::string as_in_the_files(const std::string& name) {
 }
 
 // Tables of the file that are given as mappings.
-struct Table {
+struct MappingTable {
   const char* name;
   const char* key;
   const char* meaning;
 };
 
-constexpr Table tables[] = {
+constexpr MappingTable tables[] = {
     {"fingers", "finger",
      "What is different at one finger, by its number: ``{2: {\"tip_mu\": 0.09}}``."},
     {"contacts", "contact",
@@ -86,8 +86,8 @@ constexpr Table tables[] = {
     {"uncertainty", "uncertainty", "How well the coefficients are known."},
 };
 
-const Table* find_table(const std::string& name) {
-  for (const Table& table : tables) {
+const MappingTable* find_table(const std::string& name) {
+  for (const MappingTable& table : tables) {
     if (name == table.name) return &table;
   }
   return nullptr;
@@ -96,7 +96,7 @@ const Table* find_table(const std::string& name) {
 [[noreturn]] void fail_unknown(const std::string& given) {
   std::string known;
   for (const Field& field : fields) known += std::string(field.name) + ", ";
-  for (const Table& table : tables) known += std::string(table.name) + ", ";
+  for (const MappingTable& table : tables) known += std::string(table.name) + ", ";
   known.resize(known.size() - 2);
   throw py::type_error(fmt::format("Hardware has no '{}': expected one of {}", given, known));
 }
@@ -127,7 +127,7 @@ HardwareFile with(HardwareFile file, const py::kwargs& changes) {
   std::vector<catalog::TomlNode> changed;
   for (const auto& [key, value] : changes) {
     const auto given = key.cast<std::string>();
-    if (const Table* table = find_table(given)) {
+    if (const MappingTable* table = find_table(given)) {
       changed.push_back(toml_from(value, given, table->key));
     } else if (const Field* field = find_field(as_in_the_files(given))) {
       field->of(file.hardware) = number_from(value, given);
@@ -145,7 +145,7 @@ HardwareFile with(HardwareFile file, const py::kwargs& changes) {
 std::string toml(const BoundHardware& self) { return file_text(self.file); }
 
 // As it can be given again.
-py::dict table_values(const BoundHardware& self, const Table& table) {
+py::dict table_values(const BoundHardware& self, const MappingTable& table) {
   const catalog::TomlNode root = catalog::parse_toml(toml(self), "Hardware");
   const catalog::TomlNode* node = root.find(table.key);
   if (node == nullptr) return {};
@@ -168,7 +168,7 @@ std::string described(const BoundHardware& self) {
     text += fmt::format("{}{}={}", text.empty() ? "" : ", ", field.name, field.of(own));
   }
   const BoundHardware plain{HardwareFile{}};
-  for (const Table& table : tables) {
+  for (const MappingTable& table : tables) {
     const py::dict values = table_values(self, table);
     if (values.equal(table_values(plain, table))) continue;
     text +=
@@ -221,7 +221,7 @@ Hardware(tube_mu=0.09, sheath_mu=0.05)
         },
         (std::string("float: ") + field.meaning).c_str());
   }
-  for (const Table& table : tables) {
+  for (const MappingTable& table : tables) {
     hardware.def_property_readonly(
         table.name, [&table](const BoundHardware& self) { return table_values(self, table); },
         (std::string("dict: ") + table.meaning).c_str());

@@ -10,7 +10,7 @@
 namespace reeve::python {
 namespace {
 
-using Column = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using CoefficientArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 // Of fewer solves nobody gets tired, and a thread to watch them would take as long as they do.
 constexpr std::size_t worth_watching = 20000;
@@ -32,7 +32,7 @@ constexpr CoefficientName coefficients[] = {
     {"block_angle_rad", ContactKind::block, LawTerm::angle},
 };
 
-CoefficientColumn column(const std::string& name, const Column& values) {
+CoefficientColumn column(const std::string& name, const CoefficientArray& values) {
   const std::string filed = name.starts_with("mu_") ? name.substr(3) + "_mu" : name;
   for (const CoefficientName& known : coefficients) {
     if (filed != known.name) continue;
@@ -54,7 +54,8 @@ std::vector<std::string> segment_names(const std::vector<Routing>& routings) {
 TensionTableRequest request_of(const std::vector<std::shared_ptr<BoundRouting>>& routings,
                                const BoundHardware& hardware, const py::list& held,
                                const py::object& direction,
-                               const std::map<std::string, Column>& columns, int threads) {
+                               const std::map<std::string, CoefficientArray>& columns,
+                               int threads) {
   TensionTableRequest request;
   int fewest = max_fingers;
   for (const auto& routing : routings) {
@@ -76,8 +77,9 @@ TensionTableRequest request_of(const std::vector<std::shared_ptr<BoundRouting>>&
 // The table, the names of its segments, and whether Ctrl-C stopped it.
 py::tuple tension_table(const std::vector<std::shared_ptr<BoundRouting>>& routings,
                         const py::object& hardware, const py::list& held,
-                        const py::object& direction, const std::map<std::string, Column>& columns,
-                        int threads, const py::object& progress) {
+                        const py::object& direction,
+                        const std::map<std::string, CoefficientArray>& columns, int threads,
+                        const py::object& progress) {
   const auto used = hardware_from(hardware);
   const TensionTableRequest request =
       request_of(routings, *used, held, direction, columns, threads);

@@ -9,8 +9,6 @@
 namespace reeve::readings {
 namespace {
 
-using Columns = std::vector<DataColumn>;
-
 // Far above any rig, and squares of them stay numbers; of a clock, a date in microseconds.
 CellRange range_in_log(DataRole role) {
   switch (role) {
@@ -60,7 +58,7 @@ int rank_of_clock(const DataColumn& column) {
 constexpr const char* clock_names =
     "one of time_s, t_s, t, time, timestamp (seconds), time_ms and t_ms";
 
-std::string names_of(const Columns& columns) {
+std::string names_of(const ColumnList& columns) {
   constexpr std::size_t most = 10;
   std::string list;
   std::size_t count = 0;
@@ -73,7 +71,7 @@ std::string names_of(const Columns& columns) {
 }
 
 // It may be there under another name.
-std::string clock_or_its_name(const Columns& columns, const std::string& map_option) {
+std::string clock_or_its_name(const ColumnList& columns, const std::string& map_option) {
   const std::string names = names_of(columns);
   if (map_option.empty() || names.empty()) return clock_names;
   return fmt::format("{}; it has {}, and {} 'COLUMN=time_s' says which of them is one", clock_names,
@@ -81,7 +79,7 @@ std::string clock_or_its_name(const Columns& columns, const std::string& map_opt
 }
 
 void choose_clock(Header& header, const std::string& map_option) {
-  const Columns& columns = header.columns();
+  const ColumnList& columns = header.columns();
   int highest = 0;
   for (const DataColumn& column : columns) {
     if (column.role == DataRole::time) highest = std::max(highest, rank_of_clock(column));
@@ -114,7 +112,7 @@ void refuse_columns_of_means(Header& header) {
 // One tension alone can be compared with nothing.
 void require_comparable(Header& header) {
   if (header.has_bad_column()) return;
-  const Columns& columns = header.columns();
+  const ColumnList& columns = header.columns();
   const auto tensions = std::count_if(columns.begin(), columns.end(), [](const DataColumn& column) {
     return column.role == DataRole::tension;
   });

@@ -23,9 +23,9 @@ std::size_t break_of(const std::string& word, std::size_t width) {
   return joint == std::string::npos || joint == 0 ? most : joint + 1;
 }
 
-class Lines {
+class WrappedLines {
  public:
-  explicit Lines(std::size_t width) : width_(width) {}
+  explicit WrappedLines(std::size_t width) : width_(width) {}
 
   void add(std::string word) {
     const std::size_t used = text_width(lines_.back());
@@ -65,7 +65,7 @@ std::string padded(const std::string& text, std::size_t width, bool is_text) {
 
 std::vector<std::string> wrap_words(const std::string& text, std::size_t width) {
   if (width == 0 || text_width(text) <= width) return {text};
-  Lines lines(width);
+  WrappedLines lines(width);
   std::size_t begin = 0;
   while (begin < text.size()) {
     const std::size_t end = std::min(text.find(' ', begin), text.size());

@@ -203,14 +203,14 @@ std::vector<std::string> list_column_names(const ListedWith& with) {
 std::vector<MissingColumns> missing_columns(const ListedWith& with) {
   ListedWith drawn = with;
   drawn.draws = true;
-  ListedWith judged = drawn;
-  judged.constraints = true;
+  ListedWith evaluated = drawn;
+  evaluated.constraints = true;
   ListedWith priced = with;
   priced.prices = true;
   ListedWith handed = drawn;
   handed.hand = true;
   return {{list_column_names(drawn), "--uncertainty"},
-          {list_column_names(judged), "--constraint and --uncertainty of explore"},
+          {list_column_names(evaluated), "--constraint and --uncertainty of explore"},
           {list_column_names(priced), "--cost"},
           {list_column_names(handed), with.draws ? "a hand in the hardware file"
                                                  : "a hand in the hardware file, for bands also "

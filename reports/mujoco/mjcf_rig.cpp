@@ -108,7 +108,7 @@ RigLayout rig_layout(const Network& network, const Hardware& hardware) {
   return layout;
 }
 
-Place mover_place(const RigLayout& layout, const RopePlan& plan, std::size_t leg) {
+RigPlace mover_place(const RigLayout& layout, const RopePlan& plan, std::size_t leg) {
   const Leg& what = plan.legs[leg];
   const double lane = static_cast<double>(lane_of(plan, leg));
   if (what.mover == Mover::runner) {
@@ -120,9 +120,9 @@ Place mover_place(const RigLayout& layout, const RopePlan& plan, std::size_t leg
   return {carriage_x_m / 2, block.y_m + lane * strand_gap_m};
 }
 
-Place eyelet_place(const RigLayout& layout, const RopePlan& plan, std::size_t leg) {
+RigPlace eyelet_place(const RigLayout& layout, const RopePlan& plan, std::size_t leg) {
   const Leg& what = plan.legs[leg];
-  Place place = mover_place(layout, plan, leg);
+  RigPlace place = mover_place(layout, plan, leg);
   if (what.mover == Mover::runner) {
     place.x_m = 0;
   } else if (what.mover == Mover::carriage) {

@@ -41,7 +41,7 @@ struct RigLayout {
   std::vector<RigBlock> blocks;
 };
 
-struct Place {
+struct RigPlace {
   double x_m = 0;
   double y_m = 0;
 };
@@ -52,8 +52,8 @@ inline constexpr double carriage_x_m = -0.15;
 RigLayout rig_layout(const Network& network, const Hardware& hardware);
 
 // In the world, with the hand open.
-Place mover_place(const RigLayout& layout, const RopePlan& plan, std::size_t leg);
-Place eyelet_place(const RigLayout& layout, const RopePlan& plan, std::size_t leg);
+RigPlace mover_place(const RigLayout& layout, const RopePlan& plan, std::size_t leg);
+RigPlace eyelet_place(const RigLayout& layout, const RopePlan& plan, std::size_t leg);
 
 // XML by the element, with the numbers and points of MJCF.
 class MjcfText {

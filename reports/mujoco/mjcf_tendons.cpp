@@ -5,14 +5,14 @@
 namespace reeve::reports {
 namespace {
 
-struct Term {
+struct JointTerm {
   std::string joint;
   double factor = 1;
 };
 
-void write_sum(const std::string& name, const std::vector<Term>& terms, MjcfText& out) {
+void write_sum(const std::string& name, const std::vector<JointTerm>& terms, MjcfText& out) {
   out.open("fixed", {{"name", name}});
-  for (const Term& term : terms) {
+  for (const JointTerm& term : terms) {
     out.leaf("joint", {{"joint", term.joint}, {"coef", MjcfText::number(term.factor)}});
   }
   out.close();
@@ -23,7 +23,7 @@ std::string arms_name(const core::Block& block) { return "arms_of_" + block_name
 std::string travel_name(const std::string& mover) { return "travel_of_" + mover; }
 
 void write_finger_sums(const MjcfRig& rig, std::size_t f, MjcfText& out) {
-  std::vector<Term> terms;
+  std::vector<JointTerm> terms;
   for (std::size_t j = 0; j < rig.layout.fingers[f].joints.size(); ++j) {
     terms.push_back({joint_name(f, j), rig.layout.fingers[f].joints[j].arm_mm * m_per_mm});
   }

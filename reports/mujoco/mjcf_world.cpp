@@ -37,7 +37,7 @@ class WorldWriter {
 
   void eyelets() {
     for (std::size_t k = 0; k < rig_.plan.legs.size(); ++k) {
-      const Place place = eyelet_place(rig_.layout, rig_.plan, k);
+      const RigPlace place = eyelet_place(rig_.layout, rig_.plan, k);
       site(site_name(rig_, {PointKind::eyelet, k}), MjcfText::point(place.x_m, place.y_m));
     }
     for (std::size_t k = 0; k < rig_.plan.fixed_points; ++k) {
@@ -47,7 +47,7 @@ class WorldWriter {
   }
 
   // Its joint's positive direction is towards the motor.
-  void slider(const std::string& name, Place at, const MjcfText::Attributes& spring,
+  void slider(const std::string& name, RigPlace at, const MjcfText::Attributes& spring,
               double mass_kg) {
     out_.open("body", {{"name", name}, {"pos", MjcfText::point(at.x_m, at.y_m)}});
     MjcfText::Attributes joint{{"name", name},
@@ -59,7 +59,7 @@ class WorldWriter {
     out_.leaf("geom", {{"type", "sphere"}, {"size", "0.004"}, {"mass", MjcfText::number(mass_kg)}});
     for (std::size_t k = 0; k < rig_.plan.legs.size(); ++k) {
       if (mover_name(rig_, rig_.plan.legs[k]) != name) continue;
-      const Place place = mover_place(rig_.layout, rig_.plan, k);
+      const RigPlace place = mover_place(rig_.layout, rig_.plan, k);
       site(rig_.plan.legs[k].name, MjcfText::point(place.x_m - at.x_m, place.y_m - at.y_m));
     }
     out_.close();
@@ -73,13 +73,13 @@ class WorldWriter {
                 {"range", "0 " + MjcfText::number(finger.closing_m)}};
     }
     slider(runner_name(f), {finger.reach_m, finger.y_m}, spring, part_kg);
-    Place at{0, finger.y_m};
+    RigPlace at{0, finger.y_m};
     for (std::size_t j = 0; j < finger.joints.size(); ++j) at = phalanx(f, j, at);
     for (std::size_t j = 0; j < finger.joints.size(); ++j) out_.close();
   }
 
   // Where the next one begins. Its body stays open for that one.
-  Place phalanx(std::size_t f, std::size_t j, Place at) {
+  RigPlace phalanx(std::size_t f, std::size_t j, RigPlace at) {
     const std::vector<FingerJoint>& joints = rig_.layout.fingers[f].joints;
     const double beyond_mm = j + 1 < joints.size() ? joints[j + 1].lever_mm : 0;
     const double length_m = std::max((joints[j].lever_mm - beyond_mm) * m_per_mm, least_phalanx_m);
@@ -106,7 +106,7 @@ class WorldWriter {
 
   void block(std::size_t b) {
     const std::string name = block_name(rig_.network.blocks[b]);
-    const Place at{carriage_x_m / 2, rig_.layout.blocks[b].y_m};
+    const RigPlace at{carriage_x_m / 2, rig_.layout.blocks[b].y_m};
     slider(name, at, {}, part_kg);
     if (!rig_.network.blocks[b].is_bar) return;
     slider(name + "_left", at, {}, part_kg);

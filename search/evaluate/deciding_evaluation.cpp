@@ -13,16 +13,16 @@
 namespace reeve::search {
 namespace {
 
-using Value = std::optional<OutlinedValue>;
+using TallyValue = std::optional<OutlinedValue>;
 
-Value value_of(bool in_range, double motor, const StrandTally& strands) {
+TallyValue value_of(bool in_range, double motor, const StrandTally& strands) {
   if (!in_range || !std::isnormal(motor) || !(strands.most > 0)) return std::nullopt;
   return OutlinedValue{strands.least / strands.most, strands.work / motor};
 }
 
-Value value_of(const TreeSums& moving, const TreeSums& jammed) {
+TallyValue value_of(const TreeSums& moving, const TreeSums& jammed) {
   if (!jammed.jams) return value_of(moving.in_range, moving.motor, moving.strands);
-  Value value = value_of(moving.in_range && jammed.in_range, jammed.motor, jammed.strands);
+  TallyValue value = value_of(moving.in_range && jammed.in_range, jammed.motor, jammed.strands);
   if (!value) return value;
   value->efficiency = 0;
   if (moving.has_strands()) value->uniformity = 0;
@@ -30,7 +30,7 @@ Value value_of(const TreeSums& moving, const TreeSums& jammed) {
 }
 
 // As with others += state, without keeping the sum.
-Value value_beside(const TreeSums& others, const TreeSums& state) {
+TallyValue value_beside(const TreeSums& others, const TreeSums& state) {
   if (state.jams) return value_of(others, state);
   StrandTally strands;
   strands.least = std::min(others.strands.least, state.strands.least);
@@ -39,8 +39,8 @@ Value value_beside(const TreeSums& others, const TreeSums& state) {
   return value_of(others.in_range && state.in_range, others.motor + state.motor, strands);
 }
 
-Value value_held(std::size_t held, const std::vector<TreeSpan>& spans,
-                 const std::vector<const TreeOutline*>& trees) {
+TallyValue value_held(std::size_t held, const std::vector<TreeSpan>& spans,
+                      const std::vector<const TreeOutline*>& trees) {
   TreeSums moving;
   TreeSums jammed;
   for (std::size_t t = 0; t < spans.size(); ++t) {
@@ -122,7 +122,7 @@ std::optional<OutlinedPerformance> PerformanceOutliner::outlined(
     const auto before = static_cast<std::size_t>(spans[t].fingers_before);
     const std::size_t held = state == 0 ? 0 : before + state;
     if (!weights_[held].is_asked) return true;
-    const Value value =
+    const TallyValue value =
         moves ? value_beside(others_[t], trees[t]->sums[state]) : value_held(held, spans, trees);
     if (value) add_value(weights_[held].share, *value, result);
     return value.has_value();

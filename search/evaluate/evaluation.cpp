@@ -90,7 +90,7 @@ GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const Evaluat
   outcome.pull = performance(network_, pulled, pulls);
   if (scope.indicators)
     outcome.indicators = indicators(network_, pulled, pulls, given_up_equivalent_);
-  if (judges_hand(scope)) {
+  if (evaluates_hand(scope)) {
     outcome.grip = grip_demand(*hand_, network_, pulled, grasp.grasp);
   }
   if (!scope.release) return outcome;
@@ -122,7 +122,7 @@ double DesignEvaluator::travel() {
   return strands / closing;
 }
 
-bool DesignEvaluator::judges_hand(const EvaluationScope& scope) const {
+bool DesignEvaluator::evaluates_hand(const EvaluationScope& scope) const {
   return scope.hand && hand_ && first_unknown_finger(*hand_, network_.fingers) == 0;
 }
 
@@ -157,7 +157,7 @@ void DesignEvaluator::find_outcome(const Routing& routing, const EvaluationScope
   outcome_.parts = parts(network_);
   outcome_.travel = travel();
   if (prices_) outcome_.cost = cost(outcome_.parts, tendon_length(mechanics_), *prices_);
-  outcome_.hand = judges_hand(scope) ? hand_outcome() : HandOutcome{};
+  outcome_.hand = evaluates_hand(scope) ? hand_outcome() : HandOutcome{};
 }
 
 ObjectiveValues DesignEvaluator::evaluate(const Routing& routing, const EvaluationScope& scope) {

@@ -71,7 +71,7 @@ class DesignEvaluator {
   GraspOutcome in_grasp(const WeightedGrasp& grasp, const EvaluationScope& scope);
   const TensionState& solve(Grasp grasp, Direction direction);
   double travel();
-  bool judges_hand(const EvaluationScope& scope) const;
+  bool evaluates_hand(const EvaluationScope& scope) const;
   HandOutcome hand_outcome();
 
   std::shared_ptr<const Model> model_;  // stays in place for the solver if this moves

@@ -129,7 +129,7 @@ PartClasses::PartClasses(const std::vector<Constraint>& constraints,
   knot.knots = 1;
   loop_ = of(knot, false);
   for (std::size_t whole = 0; whole < count_; ++whole) {
-    verdicts_.push_back(judged(static_cast<PartClass>(whole)));
+    verdicts_.push_back(evaluated(static_cast<PartClass>(whole)));
     if (verdicts_.back() == within_limits) admitted_.set(whole);
   }
 }
@@ -178,7 +178,7 @@ PartClass PartClasses::of(const Routing& routing) const {
   return sum;
 }
 
-std::size_t PartClasses::judged(PartClass whole) const {
+std::size_t PartClasses::evaluated(PartClass whole) const {
   if ((whole & 1U) != 0) return not_actuated;
   ObjectiveValues values{};
   for (const Sum& sum : sums_of_) {

@@ -71,7 +71,7 @@ class PartClasses {
   };
 
   PartClass of(const PartCount& parts, bool mark) const;
-  std::size_t judged(PartClass whole) const;
+  std::size_t evaluated(PartClass whole) const;
   void add_up();
 
   std::vector<Constraint> constraints_;

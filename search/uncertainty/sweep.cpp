@@ -69,18 +69,18 @@ class SweepRanker {
   }
 
   SweptRanking at(double coefficient) const {
-    const UncertaintyOptions& judged = options_.uncertainty;
+    const UncertaintyOptions& evaluated = options_.uncertainty;
     DesignEvaluator evaluator(
-        at_coefficient(judged.nominal, options_.over.coefficient, coefficient), judged.grasps,
-        judged.score, judged.prices);
+        at_coefficient(evaluated.nominal, options_.over.coefficient, coefficient), evaluated.grasps,
+        evaluated.score, evaluated.prices);
     SweptRanking result;
     std::vector<Design> designs;
     for (std::size_t i = 0; i < routings_.size(); ++i) {
       designs.push_back({words_[i], evaluator.evaluate(routings_[i])});
       result.values.push_back(designs.back().values);
     }
-    const std::vector<RankedDesign> ranked = rank(std::move(designs), judged.order);
-    const std::vector<std::size_t> shared = places(ranked, judged.order);
+    const std::vector<RankedDesign> ranked = rank(std::move(designs), evaluated.order);
+    const std::vector<std::size_t> shared = places(ranked, evaluated.order);
     result.places.resize(ranked.size());
     for (std::size_t i = 0; i < ranked.size(); ++i) {
       result.places[ranked[i].given] = shared[i];

@@ -59,7 +59,7 @@ TEST(MechanismFile, LaysARigOverTheMechanismsOwnHardware) {
       worn_rig + one_number("quantity = \"q\", rig = \"worn\", computed = \"K\", value = \"1\"") +
       one_number("quantity = \"q\", computed = \"T1\", value = \"1\""));
   ASSERT_EQ(mechanism.numbers.size(), 2U);
-  const Rig& worn = mechanism.numbers[0].rig;
+  const MechanismRig& worn = mechanism.numbers[0].rig;
   EXPECT_DOUBLE_EQ(worn.hardware.bearing.mu, std::log(1.1) / std::numbers::pi);
   EXPECT_EQ(worn.hardware.bearing.angle_rad, 2);
   EXPECT_EQ(worn.hardware.sheath.mu, 0);

@@ -213,7 +213,7 @@ TEST(ChartLayout, TakesLimitsRulesAndBandsThatAreNoNumbers) {
   Panel& panel = chart.panels[0];
   panel.x.reaches = {none, infinite};
   panel.layers.push_back({"", {}, Rules{{{none, "", "gone"}, {infinite, "", ""}}, Along::x}});
-  panel.layers.push_back({"", {}, Bands{{{0, none, infinite, ""}}, Along::y}});
+  panel.layers.push_back({"", {}, PanelBands{{{0, none, infinite, ""}}, Along::y}});
   const ChartLayout laid = layout(chart);
   expect_tidy(laid);
   EXPECT_EQ(laid.panels[0].x.scale.low, 1);

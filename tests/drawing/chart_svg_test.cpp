@@ -34,7 +34,7 @@ Chart one_of_everything(const std::string& text) {
   style.fill = 0.3;
   style.dash = Dash::dashed;
   panel.layers = {
-      {text + "0", style, Bands{{{0, 1, 2, text}}, Along::y}},
+      {text + "0", style, PanelBands{{{0, 1, 2, text}}, Along::y}},
       {text + "1", style, Bars{{{0, 3, text, ""}, {1, -2, "", ""}, {2, missing, "", ""}}, {0, 2}}},
       {text + "2", style, Spans{{{0, 1, 2, text}, {1, missing, 3, ""}}, Along::y, {1, 2}}},
       {text + "3", style, Paths{{{{{0, 1}, {1, 2}, {2, 3}}, text}}, false}},

@@ -14,8 +14,8 @@ inline const std::string objectives =
     "round_trip_efficiency adaptability torsional_balance reliability authors_efficiency transmission score "
     "blocks finger_uniformity parts cost";
 inline const std::string equivalent = " alike same_as place";
-inline const std::string judged_settings = "objectives score grasps hardware model uncertainty";
-inline const std::string common_settings = judged_settings + " ladder prices sweep";
+inline const std::string evaluated_settings = "objectives score grasps hardware model uncertainty";
+inline const std::string common_settings = evaluated_settings + " ladder prices sweep";
 
 inline void expect_pair(const Json& json) {
   EXPECT_EQ(keys(json["uniformity"]), "mean worst");

@@ -178,7 +178,7 @@ TEST(KeysOfSize, AreThePromisedOnes) {
   EXPECT_EQ(keys(design["flat"][0]["moves"][0]), "dimension by");
   EXPECT_EQ(keys(design["sized"]), "goal nominal_goal finger_shares" + objectives);
   EXPECT_EQ(keys(json["settings"]),
-            "goal target_shares better robust vary same starts evaluations " + judged_settings);
+            "goal target_shares better robust vary same starts evaluations " + evaluated_settings);
   EXPECT_EQ(keys(json["settings"]["vary"][0]), "dimension bounds");
 }
 

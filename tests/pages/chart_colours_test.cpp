@@ -69,13 +69,15 @@ std::string on_white(const chart::Style& style) {
 TEST(ChartColours, OfAMeaningAreTheSameEverywhere) {
   const Json theme = Json::parse(asset("theme.json"));
   const std::string style(asset("page.css"));
-  const auto live = [&](const char* scheme, Kind kind) {
+  const auto live = [&](const char* scheme, DesignKind kind) {
     return theme[scheme]["range"]["category"][static_cast<std::size_t>(kind)].get<std::string>();
   };
-  for (const Kind kind : {Kind::listed, Kind::front, Kind::known, Kind::sample}) {
+  for (const DesignKind kind :
+       {DesignKind::listed, DesignKind::front, DesignKind::known, DesignKind::sample}) {
     EXPECT_EQ(live("light", kind), on_white(design_style(kind))) << design_kind_name(kind);
   }
-  for (const auto& [name, kind] : {std::pair("front", Kind::front), {"known", Kind::known}}) {
+  for (const auto& [name, kind] :
+       {std::pair("front", DesignKind::front), {"known", DesignKind::known}}) {
     EXPECT_EQ(variable(style, name), std::pair(live("light", kind), live("dark", kind))) << name;
   }
   const std::pair<std::string, std::string> advised = variable(style, "advised");
@@ -93,7 +95,7 @@ TEST(ChartColours, StandOutFromThePaper) {
   const Json theme = Json::parse(asset("theme.json"));
   const std::string dark = variable(std::string(asset("page.css")), "paper").second;
   EXPECT_EQ(dark, "#16181a");
-  for (const Kind kind : {Kind::listed, Kind::front, Kind::known}) {
+  for (const DesignKind kind : {DesignKind::listed, DesignKind::front, DesignKind::known}) {
     const auto place = static_cast<std::size_t>(kind);
     EXPECT_GE(contrast(theme["light"]["range"]["category"][place], "#ffffff"), 3)
         << design_kind_name(kind);

@@ -45,9 +45,9 @@ TEST(DrawnDesigns, AreFewOfManyButTheWholeFront) {
 
 TEST(DrawnDesigns, AreAllKnownRoutingsEvenOnOneSpot) {
   std::vector<PageDesign> all(3);
-  for (PageDesign& design : all) design.kind = Kind::known;
+  for (PageDesign& design : all) design.kind = DesignKind::known;
   EXPECT_EQ(thinned(all, usual).size(), 3U);
-  for (PageDesign& design : all) design.kind = Kind::listed;
+  for (PageDesign& design : all) design.kind = DesignKind::listed;
   EXPECT_EQ(thinned(all, usual).size(), 1U);
 }
 
@@ -95,7 +95,7 @@ TEST(ParetoFigure, NamesTheKnownRoutingsOnce) {
   std::vector<PageDesign> all = designs(report);
   std::vector<PageDesign> twice;
   for (PageDesign& design : all) {
-    if (design.kind != Kind::known) continue;
+    if (design.kind != DesignKind::known) continue;
     design.name = "K" + design.word.substr(0, 1);
     twice.push_back(design);
     twice.back().name += "'";

@@ -243,9 +243,9 @@ TEST(PageDesigns, AreHeldOnceEach) {
     EXPECT_TRUE(words.insert(design.word).second) << design.word;
   }
   EXPECT_EQ(words.size(), 54U);  // the sample is all that there is
-  EXPECT_EQ(designs[0].kind, Kind::known);
-  EXPECT_EQ(designs[1].kind, Kind::front);
-  EXPECT_EQ(designs[53].kind, Kind::sample);
+  EXPECT_EQ(designs[0].kind, DesignKind::known);
+  EXPECT_EQ(designs[1].kind, DesignKind::front);
+  EXPECT_EQ(designs[53].kind, DesignKind::sample);
 }
 
 TEST(PageDesigns, StandInColumnsOfOneLength) {

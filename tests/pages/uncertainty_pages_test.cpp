@@ -93,7 +93,7 @@ TEST(ExplorationFigure, HasBarsOfTheFrontAndKnownRoutingsOnly) {
         pareto_figure(designs, {Objective::uniformity_mean, Objective::efficiency_mean});
     with_bars = 0;
     for (const PageDesign& design : designs) {
-      if (design.kind == Kind::front || design.kind == Kind::known) ++with_bars;
+      if (design.kind == DesignKind::front || design.kind == DesignKind::known) ++with_bars;
     }
     return read_chart(figure.figure.svg).front().marks("spans").size();
   };

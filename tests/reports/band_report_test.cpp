@@ -72,7 +72,7 @@ TEST(BandTable, SaysHowOftenAllConstraintsAreMet) {
 }
 
 // The first need not be the one that holds in nearly all draws.
-TEST(BandSection, SaysHowConstraintsAreJudgedAndWhichDesignHoldsInNearlyAllDraws) {
+TEST(BandSection, SaysHowConstraintsAreEvaluatedAndWhichDesignHoldsInNearlyAllDraws) {
   std::vector<ListedDesign> shown{drawn_design("A", 1, 1), drawn_design("B", 2, 2)};
   const auto lines = [&] {
     const std::string all = text(Document{{band_section(shown, {}, {})}});
@@ -80,20 +80,20 @@ TEST(BandSection, SaysHowConstraintsAreJudgedAndWhichDesignHoldsInNearlyAllDraws
     return begin == std::string::npos ? "" : all.substr(begin);
   };
   EXPECT_EQ(lines(), "");
-  const std::string judged =
+  const std::string evaluated =
       "Meets all: in how many of the draws a design meets all constraints; which designs are "
       "listed, the nominal coefficients decide\n";
   shown[0].constraints_met = 0.56;
   shown[1].constraints_met = 0.9499;
-  EXPECT_EQ(lines(), judged +
+  EXPECT_EQ(lines(), evaluated +
                          "A meets all of them in 56.0 % of the draws; none of those shown does "
                          "in 95.0 % or more\n");
   shown[1].constraints_met = 0.95;
-  EXPECT_EQ(lines(), judged +
+  EXPECT_EQ(lines(), evaluated +
                          "A meets all of them in 56.0 % of the draws; the first that does in "
                          "95.0 % or more is B, rank 2\n");
   shown[0].constraints_met = 0.96;
-  EXPECT_EQ(lines(), judged);
+  EXPECT_EQ(lines(), evaluated);
 }
 
 // Draws of another material than the hardware's say nothing of it.

@@ -59,7 +59,7 @@ TEST(DesignUnderAModel, WithoutTheRigsEffectsIsThePlainDesign) {
 }
 
 // M-1-F: efficiency e^{-phi_s} (1 + e^{-phi_t}) / 2, with the exponents at the motor tension.
-TEST(DesignUnderAModel, IsJudgedAtTheReferenceConditions) {
+TEST(DesignUnderAModel, IsEvaluatedAtTheReferenceConditions) {
   Model model;
   add_effect(model, effect("load_dependent_friction", {0.2}));
   add_effect(model, effect("temperature", {0.01}));

@@ -25,7 +25,7 @@ std::size_t verdict_of(const PartClasses& classes, const std::string& word) {
   return classes.verdict(classes.of(parse_routing(word)));
 }
 
-TEST(PartClasses, JudgeARoutingByTheFirstConstraintThatItFails) {
+TEST(PartClasses, EvaluateARoutingByTheFirstConstraintThatItFails) {
   const PartClasses classes = classes_for({"sheaths<=2", "pulleys>=1"});
   EXPECT_EQ(verdict_of(classes, "M-1-P-2-F"), failing(0));
   EXPECT_EQ(verdict_of(classes, "M-1-T-2-F"), failing(1));

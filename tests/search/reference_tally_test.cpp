@@ -31,11 +31,11 @@ TEST_F(TallyOfTwo, IsAsBeforeWhenARoutingIsTakenOff) {
   ReferenceTally tally(options, 2);
   DesignEvaluator evaluator(options.model, options.grasps, options.score, options.prices);
   const ObjectiveValues values = evaluator.evaluate(loop);
-  const JudgedRouting judged{loop, values, 0};
-  tally.count(judged, 1, references);
+  const EvaluatedRouting evaluated{loop, values, 0};
+  tally.count(evaluated, 1, references);
   EXPECT_EQ(dominators(tally), 1U);
   EXPECT_TRUE(references[1].generated);
-  tally.take_off(judged, references);
+  tally.take_off(evaluated, references);
   EXPECT_EQ(dominators(tally), 0U);
   EXPECT_FALSE(references[1].generated);
 }

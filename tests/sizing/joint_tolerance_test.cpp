@@ -11,14 +11,14 @@
 namespace reeve::testing {
 namespace {
 
-struct Judged {
+struct Evaluated {
   SizingOptions options;
   SizingProblem problem;
   std::vector<double> point;
   std::vector<Sensitivity> alone;
   JointTolerance together;
 
-  Judged(const std::string& word, SizingOptions given, std::vector<double> at)
+  Evaluated(const std::string& word, SizingOptions given, std::vector<double> at)
       : options(std::move(given)),
         problem(parse_routing(word), options),
         point(std::move(at)),
@@ -55,34 +55,34 @@ TEST(JointTolerance, OfThreeAnglesOfOneTendonIsAThird) {
       "uniformity",
       {"contact_angle[T1-T2]=1..2", "contact_angle[T2-T3]=1..2", "contact_angle[T3-T4]=1..2"});
   options.grasps = parse_grasps("none", 2);
-  const Judged judged("M-1-T-2-F", options, {1, 1, 1});
+  const Evaluated evaluated("M-1-T-2-F", options, {1, 1, 1});
   const double alone = -std::log(0.99) / 0.18;
   for (std::size_t i = 0; i < 3; ++i) {
-    ASSERT_TRUE(judged.alone[i].more);
-    EXPECT_NEAR(*judged.alone[i].more, alone, 1e-9);
-    EXPECT_FALSE(judged.alone[i].less);
-    EXPECT_NEAR(judged.together.ways[i].more, alone / 3, 1e-8);
+    ASSERT_TRUE(evaluated.alone[i].more);
+    EXPECT_NEAR(*evaluated.alone[i].more, alone, 1e-9);
+    EXPECT_FALSE(evaluated.alone[i].less);
+    EXPECT_NEAR(evaluated.together.ways[i].more, alone / 3, 1e-8);
     // Less costs nothing, however much: it is told as much as more.
-    EXPECT_NEAR(judged.together.ways[i].less, alone / 3, 1e-8);
-    EXPECT_NEAR(judged.together.worst[i], alone / 3, 1e-8);
+    EXPECT_NEAR(evaluated.together.ways[i].less, alone / 3, 1e-8);
+    EXPECT_NEAR(evaluated.together.worst[i], alone / 3, 1e-8);
   }
-  EXPECT_NEAR(judged.together.factor, 1.0 / 3, 1e-8);
+  EXPECT_NEAR(evaluated.together.factor, 1.0 / 3, 1e-8);
 }
 
 TEST(JointTolerance, OfOneDimensionIsItsOwn) {
   SizingOptions options = sizing("uniformity", {"contact_angle[T2-T3]=1..2"});
-  const Judged judged("M-1-T-2-F", options, {1});
-  EXPECT_EQ(judged.together.factor, 1);
-  EXPECT_EQ(judged.together.ways[0].more, *judged.alone[0].more);
-  EXPECT_TRUE(judged.together.worst.empty());
+  const Evaluated evaluated("M-1-T-2-F", options, {1});
+  EXPECT_EQ(evaluated.together.factor, 1);
+  EXPECT_EQ(evaluated.together.ways[0].more, *evaluated.alone[0].more);
+  EXPECT_TRUE(evaluated.together.worst.empty());
 }
 
 // No friction depends on a length.
 TEST(JointTolerance, OfDimensionsThatDoNothingIsATenthOfTheirBounds) {
   SizingOptions options = sizing("efficiency", {"strand_mm=50..90"});
-  const Judged judged("1-P-2-P-1", options, {70, 70});
-  EXPECT_EQ(judged.together.factor, 1);
-  for (const JointTolerance::Ways& ways : judged.together.ways) {
+  const Evaluated evaluated("1-P-2-P-1", options, {70, 70});
+  EXPECT_EQ(evaluated.together.factor, 1);
+  for (const JointTolerance::Ways& ways : evaluated.together.ways) {
     EXPECT_NEAR(ways.less, 4, 1e-12);
     EXPECT_NEAR(ways.more, 4, 1e-12);
   }
@@ -96,23 +96,23 @@ TEST(JointTolerance, OfTwoDimensionsIsThatOfADenseGrid) {
     options.robust = true;
     options.draws = 15;
     const SizedDesign design = sized("M-1-P-2-M", options);
-    const Judged judged("M-1-P-2-M", options, values_of(design));
-    EXPECT_LE(judged.greatest_loss(judged.together.factor, 40), 1 + 1e-6);
-    if (judged.together.factor < 1) {
-      EXPECT_GT(judged.greatest_loss(1.01 * judged.together.factor, 40), 1);
+    const Evaluated evaluated("M-1-P-2-M", options, values_of(design));
+    EXPECT_LE(evaluated.greatest_loss(evaluated.together.factor, 40), 1 + 1e-6);
+    if (evaluated.together.factor < 1) {
+      EXPECT_GT(evaluated.greatest_loss(1.01 * evaluated.together.factor, 40), 1);
     }
     ASSERT_TRUE(design.together);
-    EXPECT_EQ(design.together->factor, judged.together.factor);
+    EXPECT_EQ(design.together->factor, evaluated.together.factor);
   }
 }
 
 TEST(JointTolerance, OfATargetIsThatOfADenseGrid) {
   const SizingOptions options = aiming("1=0.6,2=0.4", {"sheath_angle=2..11"});
   const SizedDesign design = sized("M-1-P-2-M", options);
-  const Judged judged("M-1-P-2-M", options, values_of(design));
-  EXPECT_LT(judged.together.factor, 1);
-  EXPECT_LE(judged.greatest_loss(judged.together.factor, 60), 1 + 1e-6);
-  EXPECT_GT(judged.greatest_loss(1.01 * judged.together.factor, 60), 1);
+  const Evaluated evaluated("M-1-P-2-M", options, values_of(design));
+  EXPECT_LT(evaluated.together.factor, 1);
+  EXPECT_LE(evaluated.greatest_loss(evaluated.together.factor, 60), 1 + 1e-6);
+  EXPECT_GT(evaluated.greatest_loss(1.01 * evaluated.together.factor, 60), 1);
 }
 
 // Nine contacts, each of which takes its e^{−μθ}: more corners than are looked at one by one.
@@ -124,8 +124,8 @@ TEST(JointTolerance, OfManyDimensionsIsFoundByAscent) {
   }
   SizingOptions options = sizing("uniformity", varied, 5);
   options.grasps = parse_grasps("none", 5);
-  const Judged judged("M-1-T-2-T-3-T-4-T-5-F", options, std::vector<double>(9, 1));
-  EXPECT_NEAR(judged.together.factor, 1.0 / 9, 1e-7);
+  const Evaluated evaluated("M-1-T-2-T-3-T-4-T-5-F", options, std::vector<double>(9, 1));
+  EXPECT_NEAR(evaluated.together.factor, 1.0 / 9, 1e-7);
 }
 
 TEST(JointTolerance, IsTheSameWithTheSameSeed) {
