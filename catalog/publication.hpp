@@ -9,7 +9,7 @@
 //   [coefficient]   source, printed: of the sheaths
 //   [designs]       source, even_factor, odd_factor, fingers: factor · 2^n − 1 designs of n fingers
 //
-// Values only; studies/check.hpp derives them again.
+// Values only; studies/catalogue_check.hpp derives them again.
 #pragma once
 
 #include <array>

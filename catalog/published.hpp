@@ -1,6 +1,6 @@
 // What a publication says about a routing: its printed table, its closed form, and the faults and
-// misprints that are known of them. Values only; entry_file.hpp reads them, check.hpp recomputes
-// them. Tensions are at motor tension T_M = 1.
+// misprints that are known of them. Values only; entry_file.hpp reads them, number_check.hpp
+// recomputes them. Tensions are at motor tension T_M = 1.
 #pragma once
 
 #include <cstddef>

@@ -13,7 +13,7 @@
 #include "core/error.hpp"
 #include "reports/exploration/count_report.hpp"
 #include "reports/exploration/explore_report.hpp"
-#include "studies/check.hpp"
+#include "studies/catalogue_check.hpp"
 #include "studies/comparison_study.hpp"
 #include "studies/diagnosis_study.hpp"
 #include "studies/import_study.hpp"

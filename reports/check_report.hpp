@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "catalog/check.hpp"
+#include "catalog/number_check.hpp"
 #include "core/tension/tension.hpp"
 #include "reports/document/document.hpp"
 

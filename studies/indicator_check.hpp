@@ -1,10 +1,10 @@
-// The indicators of a publication from its readings (check.hpp).
+// The indicators of a publication from its readings (catalogue_check.hpp).
 #pragma once
 
 #include <vector>
 
 #include "catalog/catalogue.hpp"
-#include "catalog/check.hpp"
+#include "catalog/number_check.hpp"
 #include "catalog/publication.hpp"
 #include "readings/measured_data.hpp"
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <utility>
 
-#include "catalog/check.hpp"
 #include "catalog/fault.hpp"
+#include "catalog/number_check.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "diagnosis/verdict/share_error.hpp"

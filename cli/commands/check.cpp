@@ -1,5 +1,3 @@
-#include "studies/check.hpp"
-
 #include <iostream>
 #include <memory>
 
@@ -9,6 +7,7 @@
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
 #include "reports/check_report.hpp"
+#include "studies/catalogue_check.hpp"
 
 namespace reeve::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "cli/api.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/commands/stored_ranking.hpp"
+#include "cli/commands/rank_store.hpp"
 #include "cli/flags/ladder_flags.hpp"
 #include "cli/flags/reading_flags.hpp"
 #include "cli/flags/sweep_flags.hpp"

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
-#include "catalog/check.hpp"
 #include "catalog/mechanisms/mechanism_file.hpp"
 #include "catalog/mechanisms/named_values.hpp"
+#include "catalog/number_check.hpp"
 
 namespace reeve {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "reports/check_report.hpp"
-#include "studies/check.hpp"
+#include "studies/catalogue_check.hpp"
 #include "tests/studies/shipped_catalogue.hpp"
 #include "tests/support/edited_catalogue.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "core/canonical.hpp"
 #include "core/notation.hpp"
-#include "studies/check.hpp"
+#include "studies/catalogue_check.hpp"
 #include "tests/support/published_words.hpp"
 
 namespace reeve {

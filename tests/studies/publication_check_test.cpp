@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "studies/check.hpp"
+#include "studies/catalogue_check.hpp"
 #include "tests/studies/checked_publications.hpp"
 
 namespace reeve::testing {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "studies/check.hpp"
+#include "studies/catalogue_check.hpp"
 #include "tests/studies/checked_publications.hpp"
 #include "tests/support/closed_forms.hpp"
 

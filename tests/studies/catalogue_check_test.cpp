@@ -1,4 +1,4 @@
-#include "studies/check.hpp"
+#include "studies/catalogue_check.hpp"
 
 #include <gtest/gtest.h>
 

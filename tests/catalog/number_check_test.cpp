@@ -1,4 +1,4 @@
-#include "catalog/check.hpp"
+#include "catalog/number_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // Everything published that the catalogue's files hold, computed again: its routings
-// (catalog/check.hpp) and publications, which are the family "paper", and its other families.
+// (catalog/number_check.hpp) and publications, which are the family "paper", and its other
+// families.
 #pragma once
 
 #include <optional>
@@ -7,7 +8,7 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
-#include "catalog/check.hpp"
+#include "catalog/number_check.hpp"
 #include "catalog/publication.hpp"
 #include "core/routing.hpp"
 #include "readings/measured_data.hpp"
@@ -28,7 +29,7 @@ namespace reeve::studies {
 // printed number by half a unit. Adaptability, balance and reliability are concave in the tensions,
 // so that a mean over trials is at most what the mean tensions give (J. Jensen, 1906); it may be
 // less by the scatter over the trials, 1.33 standard deviations at most for a normal one. As in
-// catalog/check.hpp a number is explained only by a listed fault whose arithmetic holds.
+// catalog/number_check.hpp a number is explained only by a listed fault whose arithmetic holds.
 // Throws InputError if the readings or the catalogue lack a routing of the publication.
 std::vector<CheckItem> check_publication(const Catalogue& catalogue, const Publication& publication,
                                          const MeasuredData& readings);

@@ -1,4 +1,4 @@
-#include "cli/commands/stored_ranking.hpp"
+#include "cli/commands/rank_store.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "studies/check.hpp"
+#include "studies/catalogue_check.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "catalog/check.hpp"
 #include "catalog/fault.hpp"
+#include "catalog/number_check.hpp"
 #include "catalog/publication.hpp"
 #include "catalog/solution.hpp"
 #include "core/canonical.hpp"
