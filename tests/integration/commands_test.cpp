@@ -71,7 +71,7 @@ TEST(Model, IsSaidOnceWithWhatIsLeftOutOfIt) {
   }
   const Explored explored({"--model", example_model});
   EXPECT_EQ(explored.result.exit_code, 0);
-  EXPECT_EQ(explored.summary()["settings"]["model"]["effects"].size(), 5U);
+  EXPECT_EQ(explored.summary()["settings"]["model"]["effects"].size(), 6U);
 }
 
 TEST(Model, OfAFingerThatNoRoutingHasIsNoted) {
@@ -249,8 +249,8 @@ TEST(Help, MentionsEveryOption) {
        {"--routings",       "--grasps",      "--directions",  "--channels",     "--motor-tension",
         "--speed",          "--cycles",      "--temperature", "--sheath-angle", "--noise-relative",
         "--noise-absolute", "--noise-motor", "--runs",        "--rows",         "--repeats",
-        "--cause",          "--set",         "--power",       "--hardware",     "--seed",
-        "--format",         "-o,--output"}},
+        "--column",         "--run-column",  "--model",       "--cause",        "--set",
+        "--power",          "--hardware",    "--seed",        "--format",       "-o,--output"}},
       {"export", {"routing", "--format", "-o,--output", "--hardware"}}};
   const auto add = [&](std::size_t command, const Arguments& options) {
     Arguments& list = commands[command].second;
