@@ -113,7 +113,7 @@ std::vector<const Effect*> effects_left_out_of_designs(const Model& model) {
   return left_out;
 }
 
-Conditions at_tendon(const Model& model, Direction direction, Conditions recorded) {
+Conditions at_tendon(const Model& model, Direction direction, const Conditions& recorded) {
   Conditions result = recorded;
   for (const Effect& effect : model.effects) {
     if (effect.cause->reach() != Reach::motor) continue;

@@ -61,7 +61,7 @@ std::vector<const Effect*> effects_left_out_of_designs(const Model& model);
 
 // The conditions as they are at the tendons of a rig whose motor is recorded to pull as they say;
 // its tension is not below 0.
-Conditions at_tendon(const Model& model, Direction direction, Conditions recorded);
+Conditions at_tendon(const Model& model, Direction direction, const Conditions& recorded);
 
 // Makes of the tensions of a routing's sensors what they read.
 void read(const Model& model, const Conditions& conditions, std::span<Sensor> sensors);

@@ -123,7 +123,7 @@ std::string covariates_text(const Effect& effect) {
     logarithms.push_back(x.logarithmic);
   }
   if (middles.empty()) return "";
-  const std::string text =
+  std::string text =
       fmt::format(", middle = {}, range = {}", fmt::join(middles, ","), fmt::join(ranges, ","));
   if (logarithms.size() < 2) return text;
   return text + fmt::format(", logarithmic = {},{}", bool(logarithms[0]), bool(logarithms[1]));

@@ -9,7 +9,7 @@ namespace {
 
 // "tube friction of finger 1", "friction of tube 2 of M-1-F"
 std::string friction_of(const Site& site) {
-  const std::string name = site_name(site);
+  std::string name = site_name(site);
   if (site.number) return "friction of " + name;
   const std::string kind = contact_kind_name(site.kind);
   return kind + " friction" + name.substr(kind.size());
@@ -17,7 +17,7 @@ std::string friction_of(const Site& site) {
 
 std::string subject(const Term& term) {
   const Site& site = term.site;
-  const std::string name = site_name(site);
+  std::string name = site_name(site);
   const bool at_motor = site.place == SitePlace::motor;
   switch (term.target) {
     case Target::exponent:
@@ -124,7 +124,7 @@ std::string law_meaning(const Term& term, const std::vector<double>& values) {
 
 std::string law_unit(const Term& term, std::size_t parameter) {
   const bool is_force = term.target == Target::force || term.target == Target::offset;
-  const std::string unit = is_force ? "N" : "1";
+  std::string unit = is_force ? "N" : "1";
   const std::string x = covariate_unit(term.x);
   const bool is_size = parameter == 0;
   switch (term.form) {

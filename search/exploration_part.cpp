@@ -180,7 +180,7 @@ std::vector<Routing> generated_routings(const std::vector<std::string>& words,
 
 ExplorationPart counted_part(const ShardRecord& record, const ExploreOptions& options) {
   ExplorationPart part(options);
-  static_cast<ExplorationCounts&>(part) = record;
+  static_cast<ExplorationCounts&>(part) = static_cast<const ExplorationCounts&>(record);
   if (pruning_constraints(options) == 0) part.reaches = ConstraintReaches(record.reaches);
   for (const SampledWord& sampled : record.sample) {
     part.sample.add(sampled.place, generated_routing(sampled.word, options));
@@ -308,7 +308,8 @@ void ExplorationPart::absorb(ExplorationPart other) {
 }
 
 ShardRecord record_of(ExplorationPart& part) {
-  ShardRecord record{part, recorded_reaches(part), {}, {}, {}};
+  ShardRecord record{
+      static_cast<const ExplorationCounts&>(part), recorded_reaches(part), {}, {}, {}};
   for (ArchivedDesign& member : part.archive.members()) {
     record.archive.push_back({std::move(member.design.word), member.equals_left_out});
   }

@@ -94,8 +94,9 @@ class Measurements {
   }
 
  private:
-  static void vary(Conditions at, double Conditions::*what, const TriedLevels& levels,
+  static void vary(const Conditions& from, double Conditions::*what, const TriedLevels& levels,
                    const std::function<void(const Conditions&)>& use) {
+    Conditions at = from;
     for (std::size_t i = 1; i < levels.values.size(); ++i) {
       at.*what = levels.values[i];
       use(at);
