@@ -22,7 +22,7 @@
 
 namespace reeve::causes {
 
-// What else a file records of a reading.
+// A further column of a reading, and what the file records of the reading besides.
 struct NamedValue {
   std::string name;
   double value = 0;
@@ -103,7 +103,7 @@ struct Survey {
   bool has_both_directions = false;
   bool sheath_angle_varies = false;  // from row to row
   bool reads_below_zero = false;     // as sensors do whose zero has drifted
-  // Of a planned experiment: for laws that are given by name.
+  // These two describe a planned experiment, for laws that are given by name.
   std::size_t runs = 0;  // "1", "2", …
   std::vector<SurveyedColumn> columns{};
 };

@@ -97,7 +97,7 @@ Site site_of(const std::string& name, const Survey& survey) {
                     .form = InputForm::unknown});
 }
 
-// That the experiment gives a covariate; nothing if it has no such.
+// Returns the range that the experiment gives a covariate; nothing if it has no such column.
 std::optional<Range> range_in(const Survey& survey, const Covariate& covariate) {
   const bool of_tension = is_of_tensions(covariate);
   const std::string name = of_tension ? "motor_tension_N" : covariate_name(covariate);
@@ -174,7 +174,7 @@ void set(const Setting& setting, const std::string& text, Covariate& covariate) 
   }
 }
 
-// Those of the term; what is no setting of one is left.
+// Takes the settings of the covariates into the term, and returns the others.
 std::vector<Setting> set_covariates(Term& term, const std::vector<Setting>& settings) {
   std::vector<Setting> left;
   for (const Setting& setting : settings) {

@@ -57,7 +57,7 @@ Parameter shape_parameter(const Term& term) {
   }
 }
 
-// What a law may do at most: 200 % less than nothing is no friction, and clamped there.
+// Returns the range of f that is searched. An exponent that f would make negative is 0.
 Range size_range(const Term& term) {
   switch (term.target) {
     case Target::exponent: {

@@ -65,7 +65,7 @@ struct Covariate {
   Range seen;
   bool logarithmic = false;  // in a product
 };
-// What the tensions themselves say, not what is set or recorded.
+// True if the tensions themselves say it, and no setting or record.
 inline bool is_of_tensions(const Covariate& covariate) {
   return covariate.kind == CovariateKind::load || covariate.kind == CovariateKind::tension;
 }
