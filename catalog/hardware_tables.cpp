@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,11 +22,48 @@ void read_if_given(const TomlNode& table, std::string_view key, Number& number) 
   if (const TomlNode* node = table.find(key)) number = node->number_from_zero();
 }
 
-void read_law(const TomlNode& node, ContactLaw& law) {
-  node.table().allow_only({"mu", "angle_rad", "known"});
+void read_law_keys(const TomlNode& node, ContactLaw& law) {
   read_if_given(node, "mu", law.mu);
   read_if_given(node, "angle_rad", law.angle_rad);
   if (const TomlNode* known = node.find("known")) law.known = known->truth();
+}
+
+void read_law(const TomlNode& node, ContactLaw& law) {
+  node.table().allow_only({"mu", "angle_rad", "known"});
+  read_law_keys(node, law);
+}
+
+// A bend in degrees stands in place of the angle in radians.
+template <typename Number>
+void read_bend(const TomlNode& table, std::string_view bend_key, std::string_view angle_key,
+               Number& angle_rad) {
+  const TomlNode* bend = table.find(bend_key);
+  if (bend == nullptr) return;
+  if (table.find(angle_key) != nullptr) {
+    bend->fail_at_key({.what = fmt::format("{} stands beside {}", bend_key, angle_key),
+                       .expected = "one of them: both are the sum of the sheath's bends"});
+  }
+  angle_rad = bend->number_from_zero() * std::numbers::pi / 180;
+}
+
+void read_wobble(const TomlNode& sheath, ContactLaw& law) {
+  read_if_given(sheath, "wobble_rad_per_m", law.wobble_rad_per_m);
+  if (law.wobble_rad_per_m > 0 && !law.length_mm) {
+    sheath.find("wobble_rad_per_m")
+        ->fail_expected("a length_mm of the sheath beside it, on which the wobble adds up");
+  }
+}
+
+void read_sheath(const TomlNode& file, Hardware& hardware) {
+  const TomlNode* node = file.find("sheath");
+  if (node == nullptr) return;
+  node->table().allow_only(
+      {"mu", "angle_rad", "bend_deg", "length_mm", "wobble_rad_per_m", "known"});
+  read_law_keys(*node, hardware.sheath);
+  read_bend(*node, "bend_deg", "angle_rad", hardware.sheath.angle_rad);
+  read_if_given(*node, "length_mm", hardware.sheath.length_mm);
+  read_wobble(*node, hardware.sheath);
+  validate_at(*node, hardware);
 }
 
 void read_law(const TomlNode& file, std::string_view key, ContactLaw Hardware::*law,
@@ -67,12 +105,13 @@ int finger_number(const TomlNode& node) {
 void read_finger(const TomlNode& node, Hardware& hardware) {
   FingerHardware finger;
   finger.finger = finger_number(node);
-  node.table().allow_only({"tip_mu", "tip_angle_rad", "sheath_mu", "sheath_angle_rad", "strand_mm",
-                           "closing", "joints", "force_N"});
+  node.table().allow_only({"tip_mu", "tip_angle_rad", "sheath_mu", "sheath_angle_rad",
+                           "sheath_bend_deg", "strand_mm", "closing", "joints", "force_N"});
   read_if_given(node, "tip_mu", finger.tip_mu);
   read_if_given(node, "tip_angle_rad", finger.tip_angle_rad);
   read_if_given(node, "sheath_mu", finger.sheath_mu);
   read_if_given(node, "sheath_angle_rad", finger.sheath_angle_rad);
+  read_bend(node, "sheath_bend_deg", "sheath_angle_rad", finger.sheath_angle_rad);
   read_if_given(node, "strand_mm", finger.strand_mm);
   read_if_given(node, "closing", finger.closing);
   finger.parts = read_finger_parts(node);
@@ -137,17 +176,37 @@ void read_relative(const TomlNode& table, std::string_view key, double& half_wid
   if (half_width > 1) node->fail_expected("a half-width from 0 to 1, as a part of the value");
 }
 
+void read_deviation(const TomlNode& table, std::string_view key, double& deviation) {
+  const TomlNode* node = table.find(key);
+  if (node == nullptr) return;
+  deviation = node->number_from_zero();
+  constexpr double most = 0.3;  // beyond, some exponents would be below 0
+  if (deviation > most) {
+    node->fail_expected("a standard deviation from 0 to 0.3, as a part of the value");
+  }
+}
+
 UncertaintyRanges read_uncertainty(const TomlNode& file) {
   UncertaintyRanges ranges;
   const TomlNode* node = file.find("uncertainty");
   if (node == nullptr) return ranges;
-  node->table().allow_only(
-      {"tube_mu", "sheath_mu", "bearing_mu_relative", "sheath_angle_relative"});
+  node->table().allow_only({"tube_mu", "sheath_mu", "bearing_mu_relative", "sheath_angle_relative",
+                            "contact_relative", "bearing_contact_relative"});
   read_range(*node, "tube_mu", ranges.tube_mu);
   read_range(*node, "sheath_mu", ranges.sheath_mu);
   read_relative(*node, "bearing_mu_relative", ranges.bearing_mu_relative);
   read_relative(*node, "sheath_angle_relative", ranges.sheath_angle_relative);
   return ranges;
+}
+
+// It stands with the ranges, which say how well the hardware is known.
+ContactScatter read_scatter(const TomlNode& file) {
+  ContactScatter scatter;
+  const TomlNode* node = file.find("uncertainty");
+  if (node == nullptr) return scatter;
+  read_deviation(*node, "contact_relative", scatter.relative);
+  read_deviation(*node, "bearing_contact_relative", scatter.bearing_relative);
+  return scatter;
 }
 
 std::string place_of(const TomlNode& node) {
@@ -213,7 +272,7 @@ HardwareFile read_hardware_tables(const TomlNode& file) {
   read_law(file, "tube", &Hardware::tube, result.hardware);
   read_law(file, "bearing", &Hardware::bearing, result.hardware);
   read_block(file, result.hardware);
-  read_law(file, "sheath", &Hardware::sheath, result.hardware);
+  read_sheath(file, result.hardware);
   read_lengths(file, result.hardware);
   read_hand(file, result.hardware);
   if (const TomlNode* fingers = file.find("finger")) {
@@ -227,6 +286,7 @@ HardwareFile read_hardware_tables(const TomlNode& file) {
   read_motor(file, result.hardware);
   require_joints(file, result.hardware);
   result.uncertainty = read_uncertainty(file);
+  result.hardware.scatter = read_scatter(file);
   result.vary = read_vary(file);
   return result;
 }

@@ -23,6 +23,8 @@ std::string line(std::string_view key, const MuRange& range) {
 
 std::string table(std::string_view name, const ContactLaw& law) {
   return fmt::format("[{}]\n", name) + line("mu", law.mu) + line("angle_rad", law.angle_rad) +
+         line("length_mm", law.length_mm) +
+         (law.wobble_rad_per_m > 0 ? line("wobble_rad_per_m", law.wobble_rad_per_m) : "") +
          (law.known ? "known = true\n" : "") + "\n";
 }
 
@@ -67,7 +69,9 @@ std::string hardware_toml(const Hardware& hardware, const UncertaintyRanges& unc
   return text + "[uncertainty]\n" + line("tube_mu", uncertainty.tube_mu) +
          line("sheath_mu", uncertainty.sheath_mu) +
          line("bearing_mu_relative", uncertainty.bearing_mu_relative) +
-         line("sheath_angle_relative", uncertainty.sheath_angle_relative) + table(vary);
+         line("sheath_angle_relative", uncertainty.sheath_angle_relative) +
+         line("contact_relative", hardware.scatter.relative) +
+         line("bearing_contact_relative", hardware.scatter.bearing_relative) + table(vary);
 }
 
 }  // namespace reeve::catalog

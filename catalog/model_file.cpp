@@ -15,6 +15,7 @@
 #include "causes/model.hpp"
 #include "causes/term.hpp"
 #include "core/error.hpp"
+#include "core/nearest_name.hpp"
 #include "core/notation.hpp"
 #include "core/tension/seizure.hpp"
 
@@ -147,7 +148,8 @@ void read_effect(const TomlNode& table, const Catalogue& catalogue, Model& model
   const TomlNode& cause = table.require("cause", known);
   Effect effect;
   effect.cause = find_cause(cause.text());
-  if (effect.cause == nullptr) cause.fail_expected(known);
+  if (effect.cause == nullptr)
+    cause.fail_expected(known + did_you_mean(cause.text(), cause_list()));
   const SubjectKind kind = effect.cause->subject_kind();
   const std::vector<Parameter> parameters = effect.cause->parameters(model.hardware);
   std::vector<std::string_view> keys = subject_keys(kind);

@@ -32,15 +32,41 @@ std::string difference(const CheckItem& item) {
                      100 * (item.published / item.computed - 1));
 }
 
-void evaluate_explained(const PublishedNumber& number, const NamedValues& values, CheckItem& item) {
-  const double given = number.explained_by.evaluate(values);
+// The status holds only if the listed expression gives the number.
+void evaluate_by_expression(const PublishedNumber& number, const NamedValues& values,
+                            CheckStatus status, CheckItem& item) {
+  const double given = number.explained_by->evaluate(values);
   if (is_published(given, number, values)) {
-    item.status = CheckStatus::explained;
-    item.reason = fmt::format("{}; {} = {:.4g}: {}", difference(item), number.explained_by.text(),
+    item.status = status;
+    item.reason = fmt::format("{}; {} = {:.4g}: {}", difference(item), number.explained_by->text(),
                               given, number.reason);
   } else {
     item.reason = fmt::format("{}; {} = {:.4g}, which is listed for it, does not give it",
-                              difference(item), number.explained_by.text(), given);
+                              difference(item), number.explained_by->text(), given);
+  }
+}
+
+// A rig that is said to give the number has to give it.
+void evaluate_refuted(const PublishedNumber& number, CheckItem& item) {
+  item.reason = fmt::format("{}; {}", difference(item), number.reason);
+  bool met = true;
+  if (number.met_by) {
+    const NamedValues values = solved_values(number, *number.met_by);
+    const double given = number.computed.evaluate(values);
+    met = is_published(given, number, values);
+    item.reason += fmt::format("; with it {:.4g}", given);
+  }
+  if (met) item.status = CheckStatus::refuted;
+}
+
+void evaluate_used(const PublishedNumber& number, const NamedValues& values, bool agrees,
+                   CheckItem& item) {
+  if (number.explained_by) {
+    evaluate_by_expression(number, values, CheckStatus::used, item);
+  } else if (agrees) {
+    item.status = CheckStatus::used;
+  } else {
+    item.reason = difference(item) + ", though the coefficient is said to be its";
   }
 }
 
@@ -53,11 +79,11 @@ void evaluate(const Mechanism& mechanism, const PublishedNumber& number, const N
       if (!agrees) item.reason = difference(item) + ", and nothing is listed for it";
       return;
     case NumberStanding::used:
-      item.status = agrees ? CheckStatus::used : CheckStatus::differs;
-      if (!agrees) item.reason = difference(item) + ", though the coefficient is said to be its";
+      evaluate_used(number, values, agrees, item);
       return;
     case NumberStanding::explained:
     case NumberStanding::open:
+    case NumberStanding::refuted:
       break;
   }
   if (agrees) {
@@ -66,13 +92,15 @@ void evaluate(const Mechanism& mechanism, const PublishedNumber& number, const N
   } else if (number.standing == NumberStanding::open) {
     item.status = CheckStatus::open;
     item.reason = fmt::format("{}; {}", difference(item), number.reason);
+  } else if (number.standing == NumberStanding::refuted) {
+    evaluate_refuted(number, item);
   } else {
-    evaluate_explained(number, values, item);
+    evaluate_by_expression(number, values, CheckStatus::explained, item);
   }
 }
 
 CheckItem check_number(const Mechanism& mechanism, const PublishedNumber& number) {
-  const NamedValues values = solved_values(number);
+  const NamedValues values = solved_values(number, number.rig);
   CheckItem item;
   item.family = mechanism.family;
   item.routing = mechanism.name;
@@ -297,6 +325,8 @@ const char* status_name(CheckStatus status) {
       return "explained";
     case CheckStatus::open:
       return "open";
+    case CheckStatus::refuted:
+      return "refuted";
     case CheckStatus::differs:
       return "differs";
   }

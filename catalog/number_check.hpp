@@ -29,13 +29,14 @@ enum class CheckStatus : std::uint8_t {
   agrees,
   used,       // a coefficient was inferred from it
   explained,  // it differs, and arithmetic shows why
+  refuted,    // it differs, and takes another coefficient or part than its source says
   open,       // it differs, which is known, and nobody knows why
   differs,
 };
 
-inline constexpr std::array check_statuses{CheckStatus::agrees, CheckStatus::used,
-                                           CheckStatus::explained, CheckStatus::open,
-                                           CheckStatus::differs};
+inline constexpr std::array check_statuses{CheckStatus::agrees,    CheckStatus::used,
+                                           CheckStatus::explained, CheckStatus::refuted,
+                                           CheckStatus::open,      CheckStatus::differs};
 
 const char* status_name(CheckStatus status);
 
@@ -109,11 +110,15 @@ CheckItem idle_fault(std::size_t fault, const std::string& name, const std::stri
 //
 //   printed digits   agree if the computed number rounds to them, or is within their tolerance
 //   closed forms     agree to 1e-9, relative
+//   readings         their mean agrees within its 95 % confidence interval, each reading within the
+//                    prediction interval
 //
 // A number from which a coefficient of its own rig was inferred has to agree, and proves nothing.
-// A difference is explained if the listed expression gives it, and open if it is listed as such,
-// with its size. A number that is listed as explained or open and agrees is an error of the
-// catalogue: it is reported as differing.
+// A difference is explained if the listed expression gives it. It is refuted if what the number
+// would take is known and contradicts its source: a coefficient, with which the number is computed
+// again and has to agree, or a part that the model does not have. It is open if nobody knows why,
+// and then listed with its size. A number that is listed as explained, refuted or open and agrees
+// is an error of the catalogue: it is reported as differing.
 CheckReport check_mechanism(const Mechanism& mechanism);
 
 }  // namespace reeve::catalog

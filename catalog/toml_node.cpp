@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/input_file.hpp"
+#include "core/nearest_name.hpp"
 
 namespace reeve::catalog {
 namespace {
@@ -169,9 +170,11 @@ const TomlNode& TomlNode::require(std::string_view wanted, std::string_view expe
 void TomlNode::allow_only(const std::vector<std::string_view>& keys) const {
   for (const TomlNode& child : children) {
     if (std::find(keys.begin(), keys.end(), child.key) != keys.end()) continue;
-    child.fail_at_key({.what = "unknown key",
-                       .value = shortened(child.name),
-                       .expected = fmt::format("one of {}", fmt::join(keys, ", "))});
+    child.fail_at_key(
+        {.what = "unknown key",
+         .value = shortened(child.name),
+         .expected = fmt::format("one of {}{}", fmt::join(keys, ", "),
+                                 did_you_mean(child.key, {keys.begin(), keys.end()}))});
   }
 }
 

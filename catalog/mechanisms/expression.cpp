@@ -157,11 +157,12 @@ class ExpressionParser {
 
   void function(const std::string& name, std::size_t column) {
     const std::map<std::string, Operation> functions{
-        {"exp", Operation::exp},     {"ln", Operation::ln},   {"sqrt", Operation::sqrt},
-        {"floor", Operation::floor}, {"min", Operation::min}, {"max", Operation::max}};
+        {"exp", Operation::exp},   {"ln", Operation::ln},       {"sqrt", Operation::sqrt},
+        {"atan", Operation::atan}, {"floor", Operation::floor}, {"min", Operation::min},
+        {"max", Operation::max}};
     const auto found = functions.find(name);
     if (found == functions.end()) {
-      fail_in(text(), column, name, "one of exp, ln, sqrt, floor, min, max before '('");
+      fail_in(text(), column, name, "one of exp, ln, sqrt, atan, floor, min, max before '('");
     }
     const bool many = found->second == Operation::min || found->second == Operation::max;
     take('(');
@@ -204,6 +205,8 @@ double Expression::apply(Operation operation, double a, double b) {
       return std::log(b);
     case Operation::sqrt:
       return std::sqrt(b);
+    case Operation::atan:
+      return std::atan(b);
     default:
       return std::floor(b);
   }

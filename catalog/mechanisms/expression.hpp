@@ -6,7 +6,7 @@
 //   factor   = "-" factor | power
 //   power    = atom [ "^" factor ]
 //   atom     = number | name | function "(" sum { "," sum } ")" | "(" sum ")"
-//   function = exp | ln | sqrt | floor, of one; min | max, of one or more
+//   function = exp | ln | sqrt | atan | floor, of one; min | max, of one or more
 //
 // So -x^2 is -(x^2), and 2^3^2 is 2^(3^2). Numbers are decimal, without a sign or an exponent.
 // Nothing else is run: no assignment, no loop, no name that is not given.
@@ -48,6 +48,7 @@ class Expression {
     exp,
     ln,
     sqrt,
+    atan,
     floor,
     min,
     max,

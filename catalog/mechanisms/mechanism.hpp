@@ -9,11 +9,13 @@
 //   title, source, notes
 //   [hardware]      its own coefficients, in the tables of a hardware file (rig/hardware_file.hpp)
 //   [rig.NAME]      what is different for some of the numbers: let, hardware, inferred_from
-//   [[published]]   source, rig, word, held, computed, unit; numbers, each with quantity, and one
-//   of
-//                   value (digits in quotes, with their tolerance if it is not their rounding) and
-//                   equals (a closed form); used = true, explained_by with because, or open. What
-//                   stands beside numbers holds for each that has none of its own
+//   [[published]]   source, rig, let, word, held, direction, computed, unit; numbers, each with
+//                   quantity, and one of value (digits in quotes, with their tolerance if it is not
+//                   their rounding), equals (a closed form) and trials (readings whose mean is
+//                   checked; trials.hpp); used = true, explained_by with because, open, or refuted.
+//                   used may have an explained_by whose coefficient the number gave. refuted may
+//                   have met_by, a rig with which the number would agree. let stands over that of
+//                   the rig. What stands beside numbers holds for each that has none of its own
 //   [[misprint]]    source, text
 //
 // Wherever a hardware has a number there may be an expression (expression.hpp) of pi and of what
@@ -49,6 +51,7 @@ enum class NumberStanding : std::uint8_t {
   used,       // a coefficient of the rig was inferred from it, so that it proves nothing
   explained,  // by an expression that gives it
   open,       // it differs, and nobody knows why
+  refuted,    // it differs, and what it would take is known and not what its source says
 };
 
 struct PublishedNumber {
@@ -57,15 +60,17 @@ struct PublishedNumber {
   std::string word;
   Routing routing;
   Grasp grasp;
+  Direction direction = Direction::pull;
   MechanismRig rig;
   Expression computed;
   // Either a closed form or printed digits.
   std::optional<Expression> equals;
   PrintedNumber printed;
   NumberStanding standing = NumberStanding::plain;
-  Expression explained_by;
-  std::string reason;  // of what is explained or open
-  TomlPosition at;     // in the mechanism's file
+  std::optional<Expression> explained_by;
+  std::optional<MechanismRig> met_by;  // of what is refuted: with this rig it would agree
+  std::string reason;                  // of what is explained, open or refuted
+  TomlPosition at;                     // in the mechanism's file
 };
 
 struct Mechanism {

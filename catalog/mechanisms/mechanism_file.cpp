@@ -13,6 +13,7 @@
 #include "catalog/hardware_tables.hpp"
 #include "catalog/mechanisms/mechanism.hpp"
 #include "catalog/mechanisms/named_values.hpp"
+#include "catalog/mechanisms/trials.hpp"
 #include "catalog/toml_node.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
@@ -29,9 +30,6 @@ Expression read_expression(const TomlNode& node) {
     node.fail_at_value(error.fault());
   }
 }
-
-// Reads the rigs of a mechanism: hardware of its own, in which an expression may stand wherever a
-// hardware file has a number (mechanism.hpp).
 
 double read_value(const TomlNode& node, const NamedValues& names) {
   const Expression expression = read_expression(node);
@@ -73,10 +71,13 @@ Hardware read_own_hardware(const TomlNode& tables, const NamedValues& names) {
   return read_hardware_tables(with_numbers(tables, names)).hardware;
 }
 
-NamedValues read_let(const TomlNode* node) {
+// The variables of a rig, with those that a number has in place of them.
+NamedValues read_let(const TomlNode* of_rig, const TomlNode* of_number) {
   NamedValues values{{"pi", std::numbers::pi}};
-  if (node == nullptr) return values;
-  for (const TomlNode& item : node->table().children) {
+  TomlNode let;
+  if (of_rig != nullptr) let = of_rig->table();
+  if (of_number != nullptr) let = overlaid(std::move(let), of_number->table());
+  for (const TomlNode& item : let.children) {
     const bool plain =
         std::all_of(
             item.key.begin(), item.key.end(),
@@ -92,31 +93,59 @@ NamedValues read_let(const TomlNode* node) {
   return values;
 }
 
-// [hardware] and [rig.NAME] of the mechanism's file. The first rig is that of its own hardware,
-// with no name; of the others, what is not given is as there. Throws InputError.
-std::vector<MechanismRig> read_rigs(const TomlNode& file) {
-  TomlNode own;
-  own.file = file.file;
-  own.name = "hardware";
-  if (const TomlNode* hardware = file.find("hardware")) own = *hardware;
-  std::vector<MechanismRig> rigs{{"", "", read_let(nullptr), {}}};
-  rigs[0].hardware = read_own_hardware(own, rigs[0].let);
-  const TomlNode* others = file.find("rig");
-  if (others == nullptr) return rigs;
-  for (const TomlNode& node : others->table().children) {
-    node.table().allow_only({"inferred_from", "let", "hardware"});
-    MechanismRig rig{node.key, "", read_let(node.find("let")), {}};
-    if (const TomlNode* from = node.find("inferred_from")) rig.inferred_from = from->text();
-    const TomlNode* hardware = node.find("hardware");
-    rig.hardware = read_own_hardware(hardware == nullptr ? own : overlaid(own, *hardware), rig.let);
-    rigs.push_back(std::move(rig));
+// [hardware] and [rig.NAME] of the mechanism's file: hardware of its own, in which an expression
+// may stand wherever a hardware file has a number (mechanism.hpp). Throws InputError.
+class RigTables {
+ public:
+  explicit RigTables(const TomlNode& file) : others_(file.find("rig")) {
+    own_.file = file.file;
+    own_.name = "hardware";
+    if (const TomlNode* hardware = file.find("hardware")) own_ = *hardware;
+    if (others_ == nullptr) return;
+    for (const TomlNode& node : others_->table().children) {
+      node.table().allow_only({"inferred_from", "let", "hardware"});
+      read(&node, nullptr);
+    }
   }
-  return rigs;
-}
+
+  // The rig that `name` names, or the mechanism's own hardware. `let` is that of a number, which
+  // stands over the rig's.
+  MechanismRig find(const TomlNode* name, const TomlNode* let) const {
+    if (name == nullptr) return read(nullptr, let);
+    std::string names;
+    if (others_ != nullptr) {
+      for (const TomlNode& node : others_->children) {
+        if (node.key == name->text()) return read(&node, let);
+        names += (names.empty() ? "" : ", ") + node.key;
+      }
+    }
+    name->fail_expected(names.empty() ? "nothing, there is no [rig.NAME]" : "one of " + names);
+  }
+
+ private:
+  // Keys that a rig does not give are as in the mechanism's own hardware.
+  MechanismRig read(const TomlNode* node, const TomlNode* let) const {
+    if (node == nullptr) {
+      MechanismRig rig{"", "", read_let(nullptr, let), {}};
+      rig.hardware = read_own_hardware(own_, rig.let);
+      return rig;
+    }
+    MechanismRig rig{node->key, "", read_let(node->find("let"), let), {}};
+    if (const TomlNode* from = node->find("inferred_from")) rig.inferred_from = from->text();
+    const TomlNode* hardware = node->find("hardware");
+    rig.hardware =
+        read_own_hardware(hardware == nullptr ? own_ : overlaid(own_, *hardware), rig.let);
+    return rig;
+  }
+
+  TomlNode own_;
+  const TomlNode* others_;
+};
 
 // What may stand beside a list of numbers and hold for all of them, or at one of them.
-const std::vector<std::string_view> shared_keys{"rig",  "word", "held",         "computed",
-                                                "unit", "open", "explained_by", "because"};
+const std::vector<std::string_view> shared_keys{"rig",       "let",      "word",         "held",
+                                                "direction", "computed", "unit",         "open",
+                                                "refuted",   "met_by",   "explained_by", "because"};
 
 std::string optional_text(const TomlNode& node, std::string_view key) {
   const TomlNode* found = node.find(key);
@@ -138,52 +167,78 @@ struct NumberNodes {
   }
 };
 
-const MechanismRig& find_rig(const TomlNode* node, const std::vector<MechanismRig>& rigs) {
-  if (node == nullptr) return rigs.front();
-  std::string names;
-  for (const MechanismRig& rig : rigs) {
-    if (!rig.name.empty() && rig.name == node->text()) return rig;
-    if (!rig.name.empty()) names += (names.empty() ? "" : ", ") + rig.name;
-  }
-  node->fail_expected(names.empty() ? "nothing, there is no [rig.NAME]" : "one of " + names);
+Direction read_direction(const TomlNode* node) {
+  if (node == nullptr || node->text() == "pull") return Direction::pull;
+  if (node->text() != "release") node->fail_expected("\"pull\" or \"release\"");
+  return Direction::release;
+}
+
+std::vector<PrintedNumber> read_trials(const TomlNode& node) {
+  std::vector<PrintedNumber> trials;
+  for (const TomlNode& item : node.items()) trials.push_back(read_printed_number(item));
+  if (trials.size() < 2) node.fail_expected("at least two readings: one has no spread");
+  return trials;
 }
 
 void read_value(const NumberNodes& nodes, PublishedNumber& number) {
   const TomlNode* value = nodes.number.find("value");
   const TomlNode* equals = nodes.number.find("equals");
+  const TomlNode* trials = nodes.number.find("trials");
   const TomlNode* tolerance = nodes.number.find("tolerance");
-  if ((value == nullptr) == (equals == nullptr)) {
+  if ((value != nullptr) + (equals != nullptr) + (trials != nullptr) != 1) {
     nodes.number.fail_at_key({.what = nodes.number.name,
-                              .expected = "either value or equals",
+                              .expected = "one of value, equals and trials",
                               .form = InputForm::equals});
   }
   if (value != nullptr) number.printed = read_printed_number(*value);
   if (equals != nullptr) number.equals = read_expression(*equals);
+  if (trials != nullptr) number.printed = mean_of(read_trials(*trials));
   if (tolerance == nullptr) return;
-  if (equals != nullptr) tolerance->fail_expected("none beside equals");
+  if (value == nullptr) tolerance->fail_expected("none but beside value");
   number.printed.half_unit = tolerance->number_from_zero();
 }
 
-// At most one of the three; the number's own comes before that of the set.
-void read_standing(const NumberNodes& nodes, PublishedNumber& number) {
+void read_used(const TomlNode& used, const NumberNodes& nodes, PublishedNumber& number) {
+  if (used.kind != TomlKind::boolean || used.number == 0) used.fail_expected("true");
+  if (number.rig.inferred_from.empty()) used.fail_expected("a rig with inferred_from");
+  number.standing = NumberStanding::used;
+  const TomlNode* by = nodes.find("explained_by");
+  if (by == nullptr) return;
+  number.explained_by = read_expression(*by);
+  number.reason = nodes.require("because", "what the expression is").text();
+}
+
+void read_refuted(const TomlNode& refuted, const NumberNodes& nodes, const RigTables& rigs,
+                  PublishedNumber& number) {
+  number.standing = NumberStanding::refuted;
+  number.reason = refuted.text();
+  if (const TomlNode* rig = nodes.find("met_by")) number.met_by = rigs.find(rig, nullptr);
+}
+
+// At most one of the four; the number's own comes before that of the set. A number that gave a
+// coefficient of an expression is used, and has the expression as well.
+void read_standing(const NumberNodes& nodes, const RigTables& rigs, PublishedNumber& number) {
   for (const TomlNode* from : {&nodes.number, &nodes.set}) {
     const TomlNode* used = from->find("used");
-    const TomlNode* by = from->find("explained_by");
+    const TomlNode* by = used == nullptr ? from->find("explained_by") : nullptr;
     const TomlNode* open = from->find("open");
-    if (used == nullptr && by == nullptr && open == nullptr) continue;
-    if ((used != nullptr) + (by != nullptr) + (open != nullptr) > 1) {
+    const TomlNode* refuted = from->find("refuted");
+    const int given =
+        (used != nullptr) + (by != nullptr) + (open != nullptr) + (refuted != nullptr);
+    if (given == 0) continue;
+    if (given > 1) {
       from->fail_at_key({.what = from->name,
-                         .expected = "at most one of used, explained_by and open",
+                         .expected = "at most one of used, explained_by, open and refuted",
                          .form = InputForm::equals});
     }
     if (used != nullptr) {
-      if (used->kind != TomlKind::boolean || used->number == 0) used->fail_expected("true");
-      if (number.rig.inferred_from.empty()) used->fail_expected("a rig with inferred_from");
-      number.standing = NumberStanding::used;
+      read_used(*used, nodes, number);
     } else if (by != nullptr) {
       number.standing = NumberStanding::explained;
       number.explained_by = read_expression(*by);
       number.reason = from->require("because", "what the expression is").text();
+    } else if (refuted != nullptr) {
+      read_refuted(*refuted, nodes, rigs, number);
     } else {
       number.standing = NumberStanding::open;
       number.reason = open->text();
@@ -194,9 +249,10 @@ void read_standing(const NumberNodes& nodes, PublishedNumber& number) {
 
 // Before the solver is asked: whatever an expression names has to be there, and every contact that
 // the rig is about.
-void require_names(const NumberNodes& nodes, const PublishedNumber& number) {
+void require_names(const NumberNodes& nodes, const PublishedNumber& number,
+                   const MechanismRig& rig) {
   const Network network = expand(number.routing);
-  const auto unmatched = MechanicsBuilder(number.rig.hardware).unmatched_contacts(network);
+  const auto unmatched = MechanicsBuilder(rig.hardware).unmatched_contacts(network);
   if (!unmatched.empty()) {
     nodes.number.fail_at_key({.what = "contact",
                               .value = unmatched.front(),
@@ -216,12 +272,10 @@ void require_names(const NumberNodes& nodes, const PublishedNumber& number) {
     }
   };
   try {
-    const NamedValues values = named_values(number.rig, network, state);
+    const NamedValues values = named_values(rig, network, state, number.direction);
     require("computed", number.computed, values);
     if (number.equals) require("equals", *number.equals, values);
-    if (number.standing == NumberStanding::explained) {
-      require("explained_by", number.explained_by, values);
-    }
+    if (number.explained_by) require("explained_by", *number.explained_by, values);
   } catch (const InputError& error) {
     if (error.fault().where) throw;
     nodes.number.fail_at_key(error.fault());
@@ -229,9 +283,9 @@ void require_names(const NumberNodes& nodes, const PublishedNumber& number) {
 }
 
 PublishedNumber read_number(const NumberNodes& nodes, const Mechanism& mechanism,
-                            const std::vector<MechanismRig>& rigs) {
+                            const RigTables& rigs) {
   std::vector<std::string_view> keys = shared_keys;
-  keys.insert(keys.end(), {"quantity", "where", "value", "equals", "tolerance", "used"});
+  keys.insert(keys.end(), {"quantity", "where", "value", "equals", "trials", "tolerance", "used"});
   nodes.number.table().allow_only(keys);
   PublishedNumber number;
   number.at = nodes.number.key_at;
@@ -245,17 +299,37 @@ PublishedNumber read_number(const NumberNodes& nodes, const Mechanism& mechanism
   if (const TomlNode* held = nodes.find("held")) {
     number.grasp = read_held(*held, finger_count(number.routing));
   }
-  number.rig = find_rig(nodes.find("rig"), rigs);
+  number.direction = read_direction(nodes.find("direction"));
+  number.rig = rigs.find(nodes.find("rig"), nodes.find("let"));
   number.computed =
       read_expression(nodes.require("computed", "what of the tensions it is, such as \"T1/T_M\""));
   read_value(nodes, number);
-  read_standing(nodes, number);
-  require_names(nodes, number);
+  read_standing(nodes, rigs, number);
+  require_names(nodes, number, number.rig);
+  if (number.met_by) require_names(nodes, number, *number.met_by);
   return number;
 }
 
+// Each reading behind a mean is a published number, too. It stands as the mean does.
+void add_trials(const TomlNode& node, const PublishedNumber& mean,
+                std::vector<PublishedNumber>& numbers) {
+  if (mean.standing != NumberStanding::plain && mean.standing != NumberStanding::used) {
+    node.fail_at_key({.what = node.name,
+                      .expected = "nothing but used beside it: readings are of a quantity that "
+                                  "the model gives",
+                      .form = InputForm::equals});
+  }
+  const std::vector<PrintedNumber> trials = with_scatter(read_trials(node));
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    PublishedNumber trial = mean;
+    trial.printed = trials[i];
+    trial.quantity += fmt::format(", reading {} of {}", i + 1, trials.size());
+    numbers.push_back(std::move(trial));
+  }
+}
+
 std::vector<PublishedNumber> read_numbers(const TomlNode& sets, const Mechanism& mechanism,
-                                          const std::vector<MechanismRig>& rigs) {
+                                          const RigTables& rigs) {
   std::vector<std::string_view> keys = shared_keys;
   keys.insert(keys.end(), {"source", "numbers"});
   std::vector<PublishedNumber> numbers;
@@ -263,6 +337,10 @@ std::vector<PublishedNumber> read_numbers(const TomlNode& sets, const Mechanism&
     set.allow_only(keys);
     for (const TomlNode& number : set.require("numbers", "what is printed there").items()) {
       numbers.push_back(read_number({number, set}, mechanism, rigs));
+      if (const TomlNode* trials = number.find("trials")) {
+        const PublishedNumber mean = numbers.back();
+        add_trials(*trials, mean, numbers);
+      }
     }
   }
   return numbers;
@@ -303,8 +381,8 @@ Mechanism read_mechanism(const TomlNode& file, const std::string& family) {
   mechanism.title = optional_text(file, "title");
   mechanism.source = optional_text(file, "source");
   mechanism.notes = optional_text(file, "notes");
-  const std::vector<MechanismRig> rigs = read_rigs(file);
-  if (file.find("hardware") != nullptr) mechanism.hardware = rigs.front().hardware;
+  const RigTables rigs(file);
+  if (file.find("hardware") != nullptr) mechanism.hardware = rigs.find(nullptr, nullptr).hardware;
   if (mechanism.from_secondary_source) require_no_numbers(file);
   if (const TomlNode* published = file.find("published")) {
     mechanism.numbers = read_numbers(*published, mechanism, rigs);

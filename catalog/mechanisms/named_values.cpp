@@ -10,13 +10,13 @@ namespace {
 
 void add_law(NamedValues& values, const std::string& part, const ContactLaw& law) {
   values["mu_" + part] = law.mu;
-  values["theta_" + part] = law.angle_rad;
+  values["theta_" + part] = law.whole_angle_rad();
 }
 
 }  // namespace
 
-NamedValues named_values(const MechanismRig& rig, const Network& network,
-                         const TensionState& state) {
+NamedValues named_values(const MechanismRig& rig, const Network& network, const TensionState& state,
+                         Direction direction) {
   NamedValues values;
   add_law(values, "t", rig.hardware.tube);
   add_law(values, "b", rig.hardware.bearing);
@@ -29,7 +29,7 @@ NamedValues named_values(const MechanismRig& rig, const Network& network,
   for (std::size_t f = 0; f < state.closing.size(); ++f) {
     values[fmt::format("dl{}", f + 1)] = state.closing[f];
   }
-  const Performance figures = performance(network, state);
+  const Performance figures = performance(network, state, direction);
   values["efficiency"] = figures.efficiency;
   values["uniformity"] = figures.uniformity;
   for (const auto& [name, value] : rig.let) {
@@ -44,10 +44,11 @@ NamedValues named_values(const MechanismRig& rig, const Network& network,
   return values;
 }
 
-NamedValues solved_values(const PublishedNumber& number) {
+NamedValues solved_values(const PublishedNumber& number, const MechanismRig& rig) {
   const Network network = expand(number.routing);
-  return named_values(number.rig, network,
-                      tensions(network, mechanics(network, number.rig.hardware), number.grasp));
+  const TensionState state =
+      tensions(network, mechanics(network, rig.hardware), number.grasp, number.direction);
+  return named_values(rig, network, state, number.direction);
 }
 
 }  // namespace reeve::catalog

@@ -8,10 +8,10 @@
 namespace reeve::catalog {
 
 // Throws InputError if what the rig defines has a name that is taken.
-NamedValues named_values(const MechanismRig& rig, const Network& network,
-                         const TensionState& state);
+NamedValues named_values(const MechanismRig& rig, const Network& network, const TensionState& state,
+                         Direction direction);
 
-// Solved with the number's own rig, in its grasp.
-NamedValues solved_values(const PublishedNumber& number);
+// Solved with this rig, in the number's grasp and direction.
+NamedValues solved_values(const PublishedNumber& number, const MechanismRig& rig);
 
 }  // namespace reeve::catalog

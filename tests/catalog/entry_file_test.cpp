@@ -18,7 +18,7 @@ TEST(CatalogueEntry, NamesThePlaceOfEveryMistakeInItsHead) {
        "x.toml:1:1: missing key 'word': expected the routing's word, such as \"M-1-T-2-F\""},
       {minimal + "wrod = 1\n",
        "x.toml:3:1: unknown key 'wrod': expected one of name, word, title, source, notes, held, "
-       "table, lines, closed_form, fault, misprint"},
+       "table, lines, closed_form, fault, misprint; did you mean word?"},
       {"name = 7\n", "x.toml:1:8: name = 7: expected a text in quotes, not empty"},
       {"name = \"\"\n", "x.toml:1:8: name = \"\": expected a text in quotes, not empty"},
       {"name = \"a b\"\n",
@@ -59,7 +59,7 @@ TEST(CatalogueEntry, NamesThePlaceOfEveryMistakeInItsPublishedNumbers) {
        "x.toml:6:11: table.tension has 1 items: expected 2, one for each strand"},
       {"[closed_form]\nsource = \"Eq. 1\"\nstrand = [{}, { tubes = 1 }]\n",
        "x.toml:6:17: unknown key 'closed_form.strand[2].tubes': expected one of tube, bearing, "
-       "sheath"},
+       "sheath; did you mean tube?"},
       {"[closed_form]\nsource = \"Eq. 1\"\nstrand = [{}, { tube = -1 }]\n",
        "x.toml:6:24: closed_form.strand[2].tube = -1: expected a whole number from 0 to 1000"},
       {"[closed_form]\nsource = \"Eq. 1\"\nstrand = [{}, {}]\ncarriage = [{}, {}]\n",

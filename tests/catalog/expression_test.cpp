@@ -44,6 +44,7 @@ TEST(Expression, KnowsTheFunctionsOfCapstansAndOfPrintedDigits) {
   EXPECT_DOUBLE_EQ(value_of("exp(1)"), std::numbers::e);
   EXPECT_DOUBLE_EQ(value_of("ln(exp(3))"), 3);
   EXPECT_EQ(value_of("sqrt(16)"), 4);
+  EXPECT_DOUBLE_EQ(value_of("4*atan(1)"), std::numbers::pi);
   EXPECT_EQ(value_of("floor(2.7)"), 2);
   EXPECT_EQ(value_of("floor(-2.7)"), -3);
   EXPECT_EQ(value_of("min(3, 1, 2)"), 1);
@@ -80,8 +81,8 @@ TEST(BadExpression, IsNamedWithTheColumnAndWhatWasExpected) {
   EXPECT_EQ(expression_error("min(1;2)"),
             "expression 'min(1;2)', column 6: found ';': expected an operator, ',' or ')'");
   EXPECT_EQ(expression_error("1 + sin(2)"),
-            "expression '1 + sin(2)', column 5: found 'sin': expected one of exp, ln, sqrt, floor, "
-            "min, max before '('");
+            "expression '1 + sin(2)', column 5: found 'sin': expected one of exp, ln, sqrt, atan, "
+            "floor, min, max before '('");
   EXPECT_EQ(expression_error("3."),
             "expression '3.', column 3: found '': expected a digit after the point");
   EXPECT_EQ(expression_error("exp(1, 2)"),

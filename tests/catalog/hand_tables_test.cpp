@@ -115,7 +115,7 @@ TEST(HandTables, NameThePlaceOfAMistake) {
        "lever about the joint, in mm"},
       {in_joint + "lever = 60 }]\n",
        "h.toml:3:41: unknown key 'hand.joints[1].lever': expected one of arm_mm, range_deg, "
-       "lever_mm, spring_Nmm_rad, rest_deg, held_deg"},
+       "lever_mm, spring_Nmm_rad, rest_deg, held_deg; did you mean lever_mm?"},
       {hand_with(0), "h.toml:3:10: " + not_so_many},
       {hand_with(17), "h.toml:3:10: " + not_so_many},
       {"[hand]\nforce_N = 5\njoints = [8]\n", "h.toml:3:11: hand.joints[1] = 8: expected a table"},

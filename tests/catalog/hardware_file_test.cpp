@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "catalog/hardware_tables.hpp"
+#include "core/mechanics.hpp"
+#include "core/network.hpp"
+#include "core/notation.hpp"
 #include "tests/catalog/mistake.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -63,7 +66,8 @@ TEST(HardwareFile, ReadsEveryNumberIntoItsOwnPlace) {
       "sheath = { mu = 0.03, angle_rad = 1.3 }\n"
       "[lengths]\nstrand_mm = 11\nmotor_side_mm = 12\nhand_mm = 13\n"
       "[uncertainty]\ntube_mu = [0.1, 0.2]\nsheath_mu = [0, 1]\nbearing_mu_relative = 0.3\n"
-      "sheath_angle_relative = 0.4\n");
+      "sheath_angle_relative = 0.4\ncontact_relative = 0.05\nbearing_contact_relative = 0.2\n");
+  EXPECT_EQ(file.hardware.scatter, (ContactScatter{0.05, 0.2}));
   EXPECT_EQ(file.hardware.tube, (ContactLaw{0.01, 1.1}));
   EXPECT_EQ(file.hardware.bearing, (ContactLaw{0.02, 1.2}));
   EXPECT_EQ(file.hardware.sheath, (ContactLaw{0.03, 1.3}));
@@ -91,6 +95,51 @@ TEST(HardwareFile, TakesFromTheBearingsWhatIsNotGivenOfABlock) {
   const Hardware hardware =
       hardware_file_of("[block]\nmu = 0.04\n[bearing]\nangle_rad = 2\n").hardware;
   EXPECT_EQ(hardware.block, (ContactLaw{0.04, 2}));
+}
+
+TEST(HardwareFile, TakesTheBendsOfASheathInDegrees) {
+  const Hardware hardware =
+      hardware_file_of("[sheath]\nbend_deg = 90\n[finger.2]\nsheath_bend_deg = 45\n").hardware;
+  EXPECT_DOUBLE_EQ(hardware.sheath.angle_rad, std::numbers::pi / 2);
+  EXPECT_EQ(hardware.sheath.mu, 0.18);
+  EXPECT_DOUBLE_EQ(*hardware.fingers.at(0).sheath_angle_rad, std::numbers::pi / 4);
+  EXPECT_EQ(error_in_hardware("[sheath]\nangle_rad = 1\nbend_deg = 57\n"),
+            "h.toml:3:1: bend_deg stands beside angle_rad: expected one of them: both are the sum "
+            "of the sheath's bends");
+  EXPECT_EQ(error_in_hardware("[finger.1]\nsheath_bend_deg = 5\nsheath_angle_rad = 1\n"),
+            "h.toml:2:1: sheath_bend_deg stands beside sheath_angle_rad: expected one of them: "
+            "both are the sum of the sheath's bends");
+  EXPECT_EQ(error_in_hardware("[sheath]\nbend_deg = 60000\n"),
+            "h.toml:1:2: hardware: sheath.angle_rad = 1047.1975511965977: expected a number from 0 "
+            "to 1000 rad");
+}
+
+TEST(HardwareFile, KeepsTheLengthOfASheathWhichChangesNoFriction) {
+  const HardwareFile file = hardware_file_of("[sheath]\nlength_mm = 800\n");
+  EXPECT_EQ(file.hardware.sheath.length_mm, 800);
+  EXPECT_EQ(file.hardware.sheath.exponent(), Hardware{}.sheath.exponent());
+  const std::string text = hardware_toml(file.hardware, file.uncertainty, file.vary);
+  EXPECT_EQ(hardware_file_of(text).hardware.sheath.length_mm, 800);
+  EXPECT_FALSE(hardware_file_of("").hardware.sheath.length_mm);
+  EXPECT_EQ(
+      error_in_hardware("[sheath]\nlength_mm = 0\n"),
+      "h.toml:1:2: hardware: sheath.length_mm = 0: expected a number from 0.001 to 1000000 mm");
+}
+
+TEST(HardwareFile, AddsTheWobbleOfASheathInProportionToItsLength) {
+  const std::string given =
+      "[sheath]\nmu = 0.2\nangle_rad = 0.25\nlength_mm = 15000\nwobble_rad_per_m = 0.01\n";
+  const HardwareFile file = hardware_file_of(given);
+  EXPECT_DOUBLE_EQ(file.hardware.sheath.exponent(), 0.2 * (0.25 + 0.15));
+  const std::string text = hardware_toml(file.hardware, file.uncertainty, file.vary);
+  EXPECT_EQ(hardware_file_of(text).hardware.sheath, file.hardware.sheath);
+  // A finger that has its own bends keeps the wobble of the sheath.
+  const Hardware own = hardware_file_of(given + "[finger.1]\nsheath_angle_rad = 0\n").hardware;
+  const Network network = expand(parse_routing("M-1x"));
+  EXPECT_DOUBLE_EQ(mechanics(network, own).phi.at(0), 0.2 * 0.15);
+  EXPECT_EQ(error_in_hardware("[sheath]\nwobble_rad_per_m = 0.01\n"),
+            "h.toml:2:20: sheath.wobble_rad_per_m = 0.01: expected a length_mm of the sheath "
+            "beside it, on which the wobble adds up");
 }
 
 TEST(HardwareFile, TakesAWholeNumberAndWindowsLineEnds) {
@@ -134,6 +183,9 @@ TEST(HardwareFile, NamesThePlaceOfABadNumber) {
       {"[uncertainty]\nbearing_mu_relative = 50\n",
        "h.toml:2:23: uncertainty.bearing_mu_relative = 50: expected a half-width from 0 to 1, as a "
        "part of the value"},
+      {"[uncertainty]\ncontact_relative = 4\n",
+       "h.toml:2:20: uncertainty.contact_relative = 4: expected a standard deviation from 0 to 0.3, "
+       "as a part of the value"},
   };
   for (const Mistake& mistake : mistakes)
     EXPECT_EQ(error_in_hardware(mistake.text), mistake.message);
@@ -187,7 +239,7 @@ TEST(HardwareFile, NamesUnknownTablesAndKeysAndTheOnesThereAre) {
   const std::vector<Mistake> mistakes = {
       {"[tub]\nmu = 1\n",
        "h.toml:1:2: unknown key 'tub': expected one of tube, bearing, block, sheath, lengths, "
-       "finger, contact, uncertainty, hand, motor, vary"},
+       "finger, contact, uncertainty, hand, motor, vary; did you mean tube?"},
       {"[tube]\nmu_s = 1\n",
        "h.toml:2:1: unknown key 'tube.mu_s': expected one of mu, angle_rad, known"},
       {"tube = 0.18\n", "h.toml:1:8: tube = 0.18: expected a table"},
@@ -198,7 +250,7 @@ TEST(HardwareFile, NamesUnknownTablesAndKeysAndTheOnesThereAre) {
       {"[finger.65]\n", "h.toml:1:9: unknown table 'finger.65': expected finger.1 to finger.64"},
       {"[finger.1]\nmu = 1\n",
        "h.toml:2:1: unknown key 'finger.1.mu': expected one of tip_mu, tip_angle_rad, sheath_mu, "
-       "sheath_angle_rad, strand_mm, closing, joints, force_N"},
+       "sheath_angle_rad, sheath_bend_deg, strand_mm, closing, joints, force_N"},
       {"[contact.aT1]\nmu = 1\n",
        "h.toml:1:10: contact 'aT1': expected the two segments beside it, such as "
        "[contact.\"a-T1\"]"},

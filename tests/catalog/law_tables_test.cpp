@@ -232,7 +232,7 @@ TEST(BadLawTable, NamesThePlaceOfAMistake) {
       {"[law]\n", "m.toml:1:1: law = (a table): expected tables headed [[law]]"},
       {humid_sheath + "[conditions]\nhumidity = 60\n",
        "m.toml:10:1: unknown key 'conditions.humidity': expected one of motor_tension_N, "
-       "speed_mm_s, cycle, temperature_C, humidity_pct"},
+       "speed_mm_s, cycle, temperature_C, humidity_pct; did you mean humidity_pct?"},
       {humid_sheath + "[conditions]\nhumidity_pct = \"wet\"\n",
        "m.toml:10:16: conditions.humidity_pct = \"wet\": expected a finite number"},
   };

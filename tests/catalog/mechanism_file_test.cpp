@@ -77,6 +77,34 @@ TEST(MechanismFile, DefinesWhatLetSaysInTheOrderOfTheFile) {
   EXPECT_DOUBLE_EQ(let.at("turn"), 2 * std::numbers::pi);
 }
 
+TEST(MechanismFile, LaysTheLetOfANumberOverThatOfItsRig) {
+  const Mechanism mechanism =
+      mechanism_of(mechanism_head + worn_rig +
+                   one_number("quantity = \"q\", rig = \"worn\", let = { K = 1.2, n = \"2*K\" }, "
+                              "computed = \"T1\", value = \"1\""));
+  const MechanismRig& rig = mechanism.numbers[0].rig;
+  EXPECT_DOUBLE_EQ(rig.hardware.bearing.mu, std::log(1.2) / std::numbers::pi);
+  EXPECT_EQ(rig.let.at("n"), 2.4);
+  EXPECT_EQ(rig.inferred_from, "90 % of one");
+}
+
+// Student's t of two degrees of freedom at 97.5 % is 4.3027; the readings' deviation is 1.
+TEST(MechanismFile, MakesOfReadingsTheirMeanAndEachOfThem) {
+  const Mechanism mechanism =
+      mechanism_of(mechanism_head + one_number("quantity = \"q\", computed = \"T1\", "
+                                               "trials = [\"9.0\", \"10.0\", \"11.0\"]"));
+  ASSERT_EQ(mechanism.numbers.size(), 4U);
+  const PublishedNumber& mean = mechanism.numbers[0];
+  EXPECT_EQ(mean.quantity, "q");
+  EXPECT_EQ(mean.printed.digits, "10.0 ± 2.5");
+  EXPECT_DOUBLE_EQ(mean.printed.value, 10);
+  EXPECT_NEAR(mean.printed.half_unit, 4.3027 / std::sqrt(3), 1e-4);
+  const PublishedNumber& last = mechanism.numbers[3];
+  EXPECT_EQ(last.quantity, "q, reading 3 of 3");
+  EXPECT_EQ(last.printed.digits, "11.0");
+  EXPECT_NEAR(last.printed.half_unit, 4.3027 * std::sqrt(4.0 / 3), 1e-4);
+}
+
 TEST(MechanismFile, GivesANumberWhatStandsBesideTheNumbersUnlessItHasItsOwn) {
   const Mechanism mechanism =
       mechanism_of(mechanism_head +
@@ -140,13 +168,23 @@ TEST(BadMechanismFile, NamesThePlaceOfAMistakeInANumber) {
       {ok + "value = 1.5",
        "x.toml:8:46: published[1].numbers[1].value = 1.5: expected a number in quotes, with the "
        "digits as printed, such as \"0.10\""},
-      {ok + "unit = \"N\"", "x.toml:8:3: published[1].numbers[1]: expected either value or equals"},
+      {ok + "unit = \"N\"",
+       "x.toml:8:3: published[1].numbers[1]: expected one of value, equals and trials"},
       {ok + "value = \"1\", equals = \"1\"",
-       "x.toml:8:3: published[1].numbers[1]: expected either value or equals"},
+       "x.toml:8:3: published[1].numbers[1]: expected one of value, equals and trials"},
       {ok + "equals = \"1\", tolerance = 1",
-       "x.toml:8:64: published[1].numbers[1].tolerance = 1: expected none beside equals"},
+       "x.toml:8:64: published[1].numbers[1].tolerance = 1: expected none but beside value"},
+      {ok + "trials = [\"1\"]",
+       "x.toml:8:47: published[1].numbers[1].trials = (an array): expected at least two readings: one has no "
+       "spread"},
+      {ok + "trials = [\"1\", \"2\"], open = \"a\"",
+       "x.toml:8:38: published[1].numbers[1].trials: expected nothing but used beside it: readings "
+       "are of a quantity that the model gives"},
+      {ok + "value = \"1\", direction = \"up\"",
+       "x.toml:8:63: published[1].numbers[1].direction = \"up\": expected \"pull\" or \"release\""},
       {ok + "value = \"1\", open = \"a\", explained_by = \"1\"",
-       "x.toml:8:3: published[1].numbers[1]: expected at most one of used, explained_by and open"},
+       "x.toml:8:3: published[1].numbers[1]: expected at most one of used, explained_by, open "
+       "and refuted"},
       {ok + "value = \"1\", explained_by = \"1\"",
        "x.toml:8:3: missing key 'because' in 'published[1].numbers[1]': expected what the "
        "expression is"},

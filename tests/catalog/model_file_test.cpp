@@ -112,10 +112,12 @@ TEST(ModelFile, ReadsBackWhatIsWrittenBitByBit) {
   std::size_t effects = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     SCOPED_TRACE(seed);
-    const Model model = random_model(seed);
+    Model model = random_model(seed);
+    model.hardware.scatter = {0.1 / 3, 0.2 / 3};
     const UncertaintyRanges ranges{{0.1 / 3, 0.7 / 3}, {0, 1e-7}, 1.0 / 3, 0};
     const ModelFile file = model_file_of(model_toml(model, {"a model"}, ranges));
     expect_same(file.model, model);
+    EXPECT_EQ(file.model.hardware.scatter, model.hardware.scatter);
     EXPECT_EQ(file.uncertainty.tube_mu.low, ranges.tube_mu.low);
     EXPECT_EQ(file.uncertainty.sheath_mu.high, ranges.sheath_mu.high);
     EXPECT_EQ(file.uncertainty.bearing_mu_relative, ranges.bearing_mu_relative);
@@ -232,13 +234,13 @@ TEST(BadModelFile, NamesThePlaceOfABadCondition) {
             "m.toml:2:19: conditions.motor_tension_N = 0: expected a number from 0.01 to 100000");
   EXPECT_EQ(error_in_model("[conditions]\nspeed = 1\n"),
             "m.toml:2:1: unknown key 'conditions.speed': expected one of motor_tension_N, "
-            "speed_mm_s, cycle, temperature_C");
+            "speed_mm_s, cycle, temperature_C; did you mean speed_mm_s?");
   EXPECT_EQ(error_in_model("[effect]\ncause = \"wear\"\n"),
             "m.toml:1:1: effect = (a table): expected tables headed [[effect]]");
   EXPECT_EQ(
       error_in_model("[tubes]\n"),
       "m.toml:1:2: unknown key 'tubes': expected one of tube, bearing, block, sheath, lengths, "
-      "finger, contact, uncertainty, hand, motor, vary, conditions, effect, law");
+      "finger, contact, uncertainty, hand, motor, vary, conditions, effect, law; did you mean tube?");
 }
 
 // The range of a parameter is not that of its product with the others.
