@@ -1,5 +1,8 @@
 #include "causes/library.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <array>
 
 // A new cause is a file that defines `const Cause& <name>_cause()`, and a line here. Forces come
@@ -54,12 +57,12 @@ const Cause* find_cause(const std::string& name) {
   return nullptr;
 }
 
-std::string cause_names() {
-  std::string names;
-  for (const Cause* cause : cause_library()) {
-    names += (names.empty() ? "" : ", ") + std::string(cause->name());
-  }
+std::vector<std::string> cause_list() {
+  std::vector<std::string> names;
+  for (const Cause* cause : cause_library()) names.emplace_back(cause->name());
   return names;
 }
+
+std::string cause_names() { return fmt::format("{}", fmt::join(cause_list(), ", ")); }
 
 }  // namespace reeve::causes

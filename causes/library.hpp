@@ -15,6 +15,7 @@ std::span<const Cause* const> cause_library();
 // nullptr if there is none.
 const Cause* find_cause(const std::string& name);
 
+std::vector<std::string> cause_list();
 // "tube_friction, sheath_friction, …", for messages.
 std::string cause_names();
 

@@ -89,6 +89,17 @@ double ModelSolver::exponent(std::size_t contact, double high_N, Direction direc
   return std::clamp(phi, 0.0, max_exponent);
 }
 
+std::vector<SolvedContact> ModelSolver::contacts() const {
+  std::vector<SolvedContact> result;
+  for (std::size_t k = 0; k < mechanics_.phi.size(); ++k) {
+    if (left_[k] == right_[k]) continue;
+    const Contact& at = seized_.network.contacts[k];
+    result.push_back({at.kind, at.finger, number_[k], mechanics_.phi[k],
+                      std::max(state_.tension[left_[k]], state_.tension[right_[k]])});
+  }
+  return result;
+}
+
 void ModelSolver::restart_steps() {
   share_.assign(plain_.phi.size(), 1.0);
   way_.assign(plain_.phi.size(), 0.0);

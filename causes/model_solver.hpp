@@ -22,6 +22,15 @@
 
 namespace reeve::causes {
 
+// A contact as the last solve left it.
+struct SolvedContact {
+  ContactKind kind = ContactKind::tube;
+  int finger = 0;
+  std::size_t number = 0;  // of those of its kind in the routing's network, from 0
+  double phi = 0;
+  double high = 0;  // the larger of the tensions beside it, per N of motor tension
+};
+
 // One routing after the other under one model, in any grasp and under any conditions. Keeps its
 // memory: but for routings with a seized contact, nothing is allocated in the steady state.
 class ModelSolver {
@@ -42,8 +51,15 @@ class ModelSolver {
   // and the motor tension of the conditions that at the tendon (at_tendon).
   const TensionState& solve(Grasp grasp, Direction direction, const Conditions& conditions);
 
+  // The routing at hand as it moves, split where a contact is seized, and its plain mechanics.
+  const Network& network() const { return seized_.network; }
+  const Mechanics& plain() const { return plain_; }
+
   // Whether the last solve converged.
   bool converged() const { return converged_; }
+
+  // All but seized ones.
+  std::vector<SolvedContact> contacts() const;
 
  private:
   void guess_exponents(Direction direction, const Conditions& conditions);

@@ -13,6 +13,7 @@
 #include "causes/named_law.hpp"
 #include "causes/term.hpp"
 #include "core/error.hpp"
+#include "core/nearest_name.hpp"
 #include "core/text.hpp"
 
 namespace reeve::causes {
@@ -29,7 +30,8 @@ const Cause& cause_of(const std::string& name) {
   if (const Cause* cause = find_cause(cause_name)) return *cause;
   throw InputError({.what = "unknown cause",
                     .value = cause_name,
-                    .expected = fmt::format("one of {}", cause_names()),
+                    .expected = fmt::format("one of {}{}", cause_names(),
+                                            did_you_mean(cause_name, cause_list())),
                     .form = InputForm::unknown});
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -15,9 +14,12 @@
 namespace reeve::causes {
 namespace {
 
-double factor(const Covariate& covariate, double x) {
+double factor(const Covariate& covariate, double x, double middle) {
   x = std::clamp(x, covariate.seen.low, covariate.seen.high);
-  return covariate.logarithmic ? std::log(x / covariate.middle) : x - covariate.middle;
+  return covariate.logarithmic ? std::log(x / middle) : x - middle;
+}
+double factor(const Covariate& covariate, double x) {
+  return factor(covariate, x, covariate.middle);
 }
 
 // The greatest |f| for a = 1, so that the range of a is that of what it does.
@@ -105,6 +107,23 @@ std::vector<Parameter> parameters_of(const Term& term) {
   return parameters;
 }
 
+// Where a law of this covariate may be zero.
+Parameter crossing_parameter(const char* name, const Covariate& x, bool is_logarithmic) {
+  const auto [low, high] = x.seen;
+  const double reach = 3 * (high - low);
+  return {name, "", std::nullopt,
+          is_logarithmic ? Range{low / 20, high * 20} : Range{low - reach, high + reach},
+          std::nullopt};
+}
+
+struct Crossing {
+  double x = 0;
+  double y = 0;
+};
+
+double value_of(const Term& term, double x, double y, const double* parameters,
+                const Crossing& crossing);
+
 double sensor_covariate(const Covariate& x, std::span<Sensor> sensors, const Sensor& own,
                         const Conditions& conditions) {
   if (x.kind == CovariateKind::tension) {
@@ -116,8 +135,9 @@ double sensor_covariate(const Covariate& x, std::span<Sensor> sensors, const Sen
 
 class Law final : public Cause {
  public:
-  explicit Law(Term term)
+  explicit Law(Term term, bool is_crossing_free = false)
       : term_(std::move(term)),
+        is_crossing_free_(is_crossing_free),
         text_(fmt::format(
             "{} of {}{}{}", target_name(term_.target), site_name(term_.site),
             term_.form == Form::constant
@@ -125,9 +145,16 @@ class Law final : public Cause {
                 : ", " + covariate_name(term_.x) +
                       (term_.form == Form::product ? " x " + covariate_name(term_.y) : ""),
             term_.form == Form::constant ? "" : fmt::format(", {}", form_name(term_.form)))),
-        parameters_(parameters_of(term_)) {}
+        parameters_(parameters_of(term_)) {
+    if (!is_crossing_free_) return;
+    const bool of_two = term_.form == Form::product;
+    parameters_.push_back(crossing_parameter(
+        "x0", term_.x, term_.form == Form::log || (of_two && term_.x.logarithmic)));
+    if (of_two) parameters_.push_back(crossing_parameter("y0", term_.y, term_.y.logarithmic));
+  }
 
   const Term& term() const { return term_; }
+  bool is_crossing_free() const { return is_crossing_free_; }
 
   const char* name() const override { return "law"; }
   Reach reach() const override {
@@ -178,8 +205,8 @@ class Law final : public Cause {
     for (std::size_t s = 0; s < sensors.size(); ++s) {
       const Sensor& own = sensors[s];
       if (!reads(own)) continue;
-      f[s] = law_value(term_, sensor_covariate(term_.x, sensors, own, conditions),
-                       sensor_covariate(term_.y, sensors, own, conditions), effect.values.data());
+      f[s] = value(sensor_covariate(term_.x, sensors, own, conditions),
+                   sensor_covariate(term_.y, sensors, own, conditions), effect.values);
     }
     for (std::size_t s = 0; s < sensors.size(); ++s) {
       if (!reads(sensors[s])) continue;
@@ -201,11 +228,20 @@ class Law final : public Cause {
            (term_.x.kind == kind || (term_.form == Form::product && term_.y.kind == kind));
   }
   double value(const Conditions& conditions, double high_N, const Effect& effect) const {
-    return law_value(term_, covariate_value(term_.x, conditions, high_N),
-                     covariate_value(term_.y, conditions, high_N), effect.values.data());
+    return value(covariate_value(term_.x, conditions, high_N),
+                 covariate_value(term_.y, conditions, high_N), effect.values);
+  }
+  double value(double x, double y, const std::vector<double>& values) const {
+    Crossing crossing{term_.x.middle, term_.y.middle};
+    if (is_crossing_free_) {
+      crossing.x = values[1];
+      if (values.size() > 2) crossing.y = values[2];
+    }
+    return value_of(term_, x, y, values.data(), crossing);
   }
 
   Term term_;
+  bool is_crossing_free_;
   std::string text_;
   std::vector<Parameter> parameters_;
 };
@@ -232,6 +268,38 @@ std::string key(const Term& term) {
       site.finger, site.held ? static_cast<int>(*site.held) : 2, site.routing,
       site.number ? static_cast<int>(*site.number) : -1, static_cast<int>(site.channel.kind),
       site.channel.number, site.run, site.group, key(term.x), key(term.y));
+}
+
+double value_of(const Term& term, double x, double y, const double* parameters,
+                const Crossing& crossing) {
+  const double a = parameters[0];
+  if (term.form == Form::constant) return a;
+  x = std::clamp(x, term.x.seen.low, term.x.seen.high);
+  switch (term.form) {
+    case Form::linear:
+      return a * (x - crossing.x);
+    case Form::log:
+      return a * std::log(x / crossing.x);
+    case Form::power:
+      return a * (std::pow(x / crossing.x, parameters[1]) - 1);
+    case Form::quadratic:
+      return a * (x - parameters[1]) * (x - parameters[1]);
+    case Form::exponential:
+      return a * (1 - std::exp(-x / parameters[1]));
+    case Form::hinge:
+      return a * std::max(0.0, x - parameters[1]);
+    case Form::step:
+      return x > parameters[1] ? a : 0;
+    case Form::sine: {
+      const double turn = 2 * std::numbers::pi * x / parameters[2];
+      return a * std::sin(turn) + parameters[1] * std::cos(turn);
+    }
+    case Form::product:
+      return a * factor(term.x, x, crossing.x) * factor(term.y, y, crossing.y);
+    case Form::constant:
+      break;
+  }
+  return a;
 }
 
 }  // namespace
@@ -276,34 +344,7 @@ double covariate_value(const Covariate& covariate, const Conditions& conditions,
 }
 
 double law_value(const Term& term, double x, double y, const double* parameters) {
-  const double a = parameters[0];
-  if (term.form == Form::constant) return a;
-  x = std::clamp(x, term.x.seen.low, term.x.seen.high);
-  switch (term.form) {
-    case Form::linear:
-      return a * (x - term.x.middle);
-    case Form::log:
-      return a * std::log(x / term.x.middle);
-    case Form::power:
-      return a * (std::pow(x / term.x.middle, parameters[1]) - 1);
-    case Form::quadratic:
-      return a * (x - parameters[1]) * (x - parameters[1]);
-    case Form::exponential:
-      return a * (1 - std::exp(-x / parameters[1]));
-    case Form::hinge:
-      return a * std::max(0.0, x - parameters[1]);
-    case Form::step:
-      return x > parameters[1] ? a : 0;
-    case Form::sine: {
-      const double turn = 2 * std::numbers::pi * x / parameters[2];
-      return a * std::sin(turn) + parameters[1] * std::cos(turn);
-    }
-    case Form::product:
-      return a * factor(term.x, x) * factor(term.y, y);
-    case Form::constant:
-      break;
-  }
-  return a;
+  return value_of(term, x, y, parameters, {term.x.middle, term.y.middle});
 }
 
 bool acts_on(const Site& site, const ContactLoad& contact) {
@@ -353,13 +394,30 @@ std::optional<TermFault> fault(const Term& term) {
   return std::nullopt;
 }
 
-const Cause& law(const Term& term) {
+namespace {
+
+const Law& interned(const Term& term, bool is_crossing_free) {
   static std::mutex mutex;
-  static std::map<std::string, std::unique_ptr<const Law>, std::less<>> laws;
+  static std::map<std::pair<std::string, bool>, std::unique_ptr<const Law>> laws;
   const std::lock_guard<std::mutex> lock(mutex);
-  std::unique_ptr<const Law>& found = laws[key(term)];
-  if (!found) found = std::make_unique<const Law>(term);
+  std::unique_ptr<const Law>& found = laws[{key(term), is_crossing_free}];
+  if (!found) found = std::make_unique<const Law>(term, is_crossing_free);
   return *found;
+}
+
+}  // namespace
+
+const Cause& law(const Term& term) { return interned(term, false); }
+
+const Cause& law_with_free_crossing(const Term& term) { return interned(term, true); }
+
+Effect with_crossing_held(const Effect& effect) {
+  const auto* free = dynamic_cast<const Law*>(effect.cause);
+  if (free == nullptr || !free->is_crossing_free()) return effect;
+  Term term = free->term();
+  term.x.middle = effect.values[1];
+  if (term.form == Form::product) term.y.middle = effect.values[2];
+  return {&law(term), effect.subject, {effect.values[0]}};
 }
 
 const Term* term_of(const Cause& cause) {

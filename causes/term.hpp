@@ -126,6 +126,12 @@ const Cause& law(const Term& term);
 // Nothing of a cause that is none.
 const Term* term_of(const Cause& cause);
 
+// The same law with x0 (and y0 of a product) among its parameters, behind the others: for a search
+// that does not know where the law is zero. Only of linear, log and product.
+const Cause& law_with_free_crossing(const Term& term);
+// Its effect as one of a plain law, whose term holds the crossing; any other effect as it is.
+Effect with_crossing_held(const Effect& effect);
+
 // Those that the effect's law is of: none, one or two.
 std::vector<Covariate> covariates(const Effect& effect);
 

@@ -94,11 +94,8 @@ void note_what_is_left_out(const MeasuredData& data, const RunSplit& split, Samp
                                  "is",
                                  sample.thinned_rows, sample.rows));
   }
-  if (sample.held_out.cells.empty()) {
-    add_note(sample,
-             data.runs.size() < 2
-                 ? "there is one run only: nothing can be held out, so no gain can be tested"
-                 : "nothing is held out, so no gain can be tested");
+  if (data.runs.size() < 2) {
+    add_note(sample, "there is one run only: nothing can be held out, so no gain can be tested");
   }
 }
 

@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
+#include "causes/term.hpp"
 #include "core/error.hpp"
 #include "diagnosis/chosen_readings.hpp"
 #include "diagnosis/diagnosis_result.hpp"
@@ -12,16 +16,14 @@
 #include "diagnosis/fit/problem.hpp"
 #include "diagnosis/plan/power.hpp"
 #include "diagnosis/search/candidates.hpp"
-#include "diagnosis/search/explanation.hpp"
-#include "diagnosis/verdict/aliases.hpp"
+#include "diagnosis/search/term_search.hpp"
 #include "diagnosis/verdict/channel_units.hpp"
-#include "diagnosis/verdict/confirmation.hpp"
+#include "diagnosis/verdict/folds.hpp"
 #include "diagnosis/verdict/other_direction.hpp"
 #include "diagnosis/verdict/outlier_forecasts.hpp"
 #include "diagnosis/verdict/outlier_groups.hpp"
 #include "diagnosis/verdict/residual_structure.hpp"
 #include "diagnosis/verdict/run_words.hpp"
-#include "diagnosis/verdict/withdrawal.hpp"
 #include "numerics/streams.hpp"
 
 namespace reeve::diagnosis {
@@ -55,26 +57,22 @@ class Diagnosis {
     candidates_ = candidates(survey(data_), nominal_.hardware, force_scale(data_));
     if (sample_.training.degrees_of_freedom() < too_few_degrees) {
       note_too_few();
-      found_ = nothing_explained(sample_.training, nominal_, explanation_options(), workers_);
+      found_ =
+          nothing_explained(sample_.training, nominal_, candidates_, search_options(), workers_);
       take_over_found();
     } else {
       if (!find_causes()) return std::nullopt;
-      // The held-out runs are opened here.
-      const Withdrawal withdrawal =
-          withdraw_what_may_lose(found_, sample_.held_out, nominal_, options_.seed, workers_);
-      result_.withdrawn = withdrawal.names;
-      result_.withdrawn_held_out = withdrawal.held_out;
       take_over_found();
-      if (!weigh_rivals()) return std::nullopt;
-      confirm();
+      state_gains();
       if (!stopped("checking what is left")) check_residual_structure();
       if (!stopped("looking for readings far off")) check_far_readings();
       if (!stopped("comparing groups")) compare_groups();
     }
     if (stop_) return std::nullopt;
-    describe(result_.causes, result_.model, nominal_.hardware,
-             parameter_intervals(found_.problem, result_.model, found_.mounting_degrees()),
+    describe(result_.causes, found_.model, nominal_.hardware,
+             parameter_intervals(found_.problem, found_.model, found_.mounting_degrees()),
              force_scale(data_));
+    note_runs_apart();
     // Where nothing is named the hardware stands, and its coefficients with it.
     if (result_.causes.empty()) result_.model = nominal_;
     decide();
@@ -138,17 +136,146 @@ class Diagnosis {
          {}});
   }
 
-  ExplanationOptions explanation_options() const {
-    return {options_.alpha, options_.replicates, options_.most_causes, options_.mounting_scatter,
-            options_.seed};
+  TermSearchOptions search_options() const {
+    return {options_.alpha, options_.most_causes, options_.mounting_scatter};
   }
 
   bool find_causes() {
-    auto found = explain(sample_.training, nominal_, candidates_, explanation_options(), workers_,
-                         [this](const char* stage) { return stopped(stage); });
+    const TermSearchOptions options = search_options();
+    TermSearch search(sample_.training, nominal_, candidates_, options, workers_);
+    auto found = search.run([this](const char* stage) { return stopped(stage); });
     if (!found) return false;
     found_ = std::move(*found);
+    auto folds = cross_validated(data_, readings_of(sample_.training), nominal_, search, workers_,
+                                 [this] { return stopped("repeating the search by folds"); });
+    if (!folds) return false;
+    folds_ = std::move(*folds);
+    result_.folds = folds_.size();
+    confirm();
     return true;
+  }
+
+  // Removes what does not hold in most folds, what has no size that is known, what loses on unseen
+  // runs, or all if that loses there together.
+  void confirm() {
+    constexpr double most = 0.5;
+    for (std::size_t c = 0; c < found_.accepted.size() && !folds_.empty(); ++c) {
+      found_.accepted[c].folds = share_of_folds(folds_, found_.accepted[c], c);
+    }
+    for (std::size_t c = found_.accepted.size(); c-- > 0;) {
+      const AcceptedTerm& accepted = found_.accepted[c];
+      if (is_of_a_group(accepted)) {
+        found_ = without_term(sample_.training, found_, c, search_options(), workers_);
+        continue;
+      }
+      if (accepted.folds.value_or(1) <= most || stands_at_an_end(accepted)) drop(c);
+    }
+    if (folds_.empty()) return;
+    for (std::size_t c = found_.accepted.size(); c-- > 0;) {
+      if (!run_apart(found_.accepted[c]).empty()) continue;
+      const Forecast less = without_in_folds(effect_name(found_.accepted[c].effect));
+      if (is_worse_on_unseen_runs(less, less)) drop(c);
+    }
+    // Runs apart are of no model that forecasts others.
+    const bool forecasts =
+        std::any_of(found_.accepted.begin(), found_.accepted.end(),
+                    [](const AcceptedTerm& of) { return run_apart(of).empty(); });
+    if (!forecasts) return;
+    const Forecast nominal = joined(folds_, sample_.training, &Fold::nominal);
+    const Forecast base = joined(folds_, sample_.training, &Fold::base);
+    if (!is_worse_on_unseen_runs(base, nominal)) return;
+    while (!found_.accepted.empty()) drop(found_.accepted.size() - 1);
+  }
+
+  // A size at an end of its range may be another one in truth, and the cause another with it.
+  bool stands_at_an_end(const AcceptedTerm& accepted) const {
+    constexpr double near = 1e-3;  // of the range
+    // A law's form that bends as far as it may looks like another form of it.
+    if (term_of(*accepted.effect.cause) != nullptr) return false;
+    const Effect& effect = found_.model.effects[place(found_.model, accepted.effect)];
+    const auto parameters =
+        searched_parameters(*effect.cause, nominal_.hardware, force_scale(data_));
+    if (parameters.empty() || parameters.front().ends_by_nature) return false;
+    const Range range = parameters.front().range;
+    const double margin = near * (range.high - range.low);
+    const double size = effect.values.front();
+    return size <= range.low + margin || size >= range.high - margin;
+  }
+
+  void drop(std::size_t cause) {
+    const std::string name = effect_name(found_.accepted[cause].effect);
+    result_.not_confirmed.insert(result_.not_confirmed.begin(), name);
+    found_ = without_term(sample_.training, found_, cause, search_options(), workers_);
+  }
+
+  // The models of the folds: in likelihood than `likely`, or in newtons than `near`.
+  bool is_worse_on_unseen_runs(const Forecast& likely, const Forecast& near) const {
+    // About 0 they say nothing: what they know of a cause may all stand in one run.
+    constexpr double refuted = -2;
+    constexpr double same_N = 1.02;
+    const Forecast after = beside_runs_apart(joined(folds_, sample_.training, &Fold::forecast));
+    const auto misfit_of = [&](const Forecast& at) {
+      return robust_misfit(residuals(found_.problem, at));
+    };
+    const auto newtons_of = [&](const Forecast& at) {
+      return own_residuals(found_.problem, at).cwiseProduct(found_.problem.deviation_N).norm();
+    };
+    return (misfit_of(beside_runs_apart(likely)) - misfit_of(after)) / 2 < refuted ||
+           newtons_of(after) > same_N * newtons_of(beside_runs_apart(near));
+  }
+
+  // What the folds' models forecast without a cause of this name.
+  const Forecast& without_in_folds(const std::string& name) {
+    const auto known = without_in_folds_.find(name);
+    if (known != without_in_folds_.end()) return known->second;
+    std::vector<Fold> folds;
+    for (const Fold& fold : folds_) {
+      Fold own{fold.unseen, {}, {}, {}, fold.forecast};
+      if (has(fold.found.model, name)) {
+        const Dataset training = dataset(data_, readings_beside(fold));
+        const Problem seen = problem(training, fold.found.scatter, fold.found.model, workers_);
+        own.forecast = try_forecast(fold.unseen, fitted_without(seen, fold.found.model, name))
+                           .value_or(fold.nominal);
+      }
+      folds.push_back(std::move(own));
+    }
+    return without_in_folds_.emplace(name, joined(folds, sample_.training, &Fold::forecast))
+        .first->second;
+  }
+
+  static bool has(const Model& model, const std::string& name) {
+    return std::any_of(model.effects.begin(), model.effects.end(),
+                       [&](const Effect& effect) { return effect_name(effect) == name; });
+  }
+
+  static Model fitted_without(const Problem& seen, Model model, const std::string& name) {
+    std::erase_if(model.effects, [&](const Effect& effect) { return effect_name(effect) == name; });
+    return fit(seen, model).model;
+  }
+
+  // Readings of runs that follow a law of their own are no model's to forecast.
+  Forecast beside_runs_apart(Forecast at) const {
+    for (std::size_t i = 0; i < sample_.training.cells.size(); ++i) {
+      const Cell& cell = sample_.training.cells[i];
+      const std::string& run = data_.runs[data_.readings[cell.reading].run];
+      const bool is_apart =
+          std::any_of(found_.accepted.begin(), found_.accepted.end(),
+                      [&](const AcceptedTerm& of) { return run_apart(of) == run; });
+      if (is_apart) at.reading_N[static_cast<Eigen::Index>(i)] = cell.measured_N;
+    }
+    return at;
+  }
+
+  // What groups differ by is compared among all of them (compare_groups).
+  static bool is_of_a_group(const AcceptedTerm& accepted) {
+    const Term* term = term_of(*accepted.effect.cause);
+    return term != nullptr && !term->site.group.empty();
+  }
+
+  // Empty of what is about more than one run.
+  static std::string run_apart(const AcceptedTerm& accepted) {
+    const Term* term = term_of(*accepted.effect.cause);
+    return term == nullptr ? "" : term->site.run;
   }
 
   // No smaller chance than the replicates could tell of a cause.
@@ -160,78 +287,160 @@ class Diagnosis {
     result_.noise = found_.scatter.noise;
     result_.mounting = found_.scatter.mounting;
     result_.model = found_.model;
-    result_.p_value = found_.p_value;
+    result_.p_value = std::min(1.0, std::exp(-found_.best_refused));
     result_.most_causes = found_.most_causes;
-    result_.not_confirmed = found_.not_confirmed;
-    result_.not_sure = found_.not_sure;
-    for (const Calibration& calibration : found_.calibrations) {
+    for (std::size_t i = 0; i < found_.calibrations.size(); ++i) {
+      const Calibration& calibration = found_.calibrations[i];
       CalibratedCoefficient coefficient{effect_name(calibration.effect),
                                         estimated(calibration.effect, 0, calibration.interval,
                                                   nominal_.hardware, force_scale(data_)),
                                         resolved(calibration.p_value), calibration.differs};
       if (coefficient.differs) {
-        result_.causes.push_back(named_cause(calibration.effect, coefficient.p_value));
+        NamedCause cause = named_cause(calibration.effect, coefficient.p_value);
+        note_alternatives(cause, found_.instead[i]);
+        result_.causes.push_back(std::move(cause));
         result_.p_value = std::min(result_.p_value, coefficient.p_value);
       }
       result_.calibration.push_back(std::move(coefficient));
     }
-    for (const AcceptedCause& accepted : found_.accepted) {
-      result_.causes.push_back(named_cause(accepted.effect, accepted.p_value));
+    for (const AcceptedTerm& accepted : found_.accepted) take_over(accepted);
+  }
+
+  void take_over(const AcceptedTerm& accepted) {
+    if (const std::string run = run_apart(accepted); !run.empty()) {
+      result_.apart.push_back({run, accepted.effect, accepted.evidence});
+      result_.model = without(result_.model, place(result_.model, accepted.effect));
+      return;
+    }
+    NamedCause cause = named_cause(accepted.effect, resolved(std::exp(-accepted.evidence)));
+    result_.p_value = std::min(result_.p_value, cause.p_value);
+    cause.evidence = accepted.evidence;
+    cause.probability = accepted.probability;
+    cause.folds = accepted.folds;
+    note_alternatives(cause, accepted.alternatives);
+    result_.causes.push_back(std::move(cause));
+  }
+
+  void note_alternatives(NamedCause& cause, const std::vector<Alternative>& alternatives) {
+    std::vector<std::string> names{cause.name};
+    std::vector<Model> models{found_.model};
+    for (const Alternative& other : alternatives) {
+      if (std::find(names.begin(), names.end(), other.name) != names.end()) continue;
+      if (!cause.runner_up) cause.runner_up = RunnerUp{other.name, other.deficit};
+      names.push_back(other.name);
+      models.push_back(other.model);
+    }
+    if (names.size() > 1) {
+      result_.indistinguishable.push_back(names);
+      if (alias_models_.empty()) alias_models_ = std::move(models);
     }
   }
 
-  bool weigh_rivals() {
-    const Dataset all =
-        sample_.held_out.cells.empty() ? Dataset{} : dataset(data_, readings_used());
-    auto found = aliases({found_.problem, all, found_.scatter, result_.model, candidates_},
-                         applied(result_.causes), workers_,
-                         [this] { return stopped("weighing other causes"); });
-    if (!found) return false;
-    aliases_ = std::move(*found);
+  // What the named causes win on runs that their model has not seen.
+  void state_gains() {
+    const bool is_sealed = !sample_.held_out.cells.empty();
+    if (!is_sealed && folds_.empty()) return;
+    const Model& after = found_.model;
+    const Dataset& part = is_sealed ? sample_.held_out : sample_.training;
+    const Problem unseen = problem(part, found_.scatter, after, workers_);
+    const Forecast first =
+        is_sealed ? forecast(part, nominal_) : joined(folds_, part, &Fold::nominal);
+    const Forecast second =
+        is_sealed ? forecast(part, after) : joined(folds_, part, &Fold::forecast);
+    if (!is_sealed) result_.held_out_runs = result_.runs;
+    result_.noise_limit = noise_limit(unseen, first);
+    result_.run_gains = run_gains(unseen, first, second);
+    if (result_.causes.empty()) return;
+    result_.held_out = held_out_gain(unseen, first, second, options_.seed);
+    weigh(misfit(found_.problem, nominal_) - misfit(found_.problem, after));
     for (std::size_t c = 0; c < result_.causes.size(); ++c) {
-      const std::vector<Rival>& others = aliases_.rivals[c];
-      if (others.empty()) continue;
-      result_.causes[c].runner_up = RunnerUp{others.front().name, others.front().deficit};
+      result_.causes[c].held_out = gain_of(result_.causes[c], unseen, second, c);
     }
-    return true;
   }
 
-  void confirm() {
-    Confirmation confirmed = confirmation(found_.problem, found_.scatter, nominal_, result_.model,
-                                          applied(result_.causes), aliases_.rivals,
-                                          sample_.held_out, options_.seed, workers_);
-    for (std::size_t c = 0; c < result_.causes.size(); ++c) {
-      result_.causes[c].held_out = confirmed.of_causes[c];
+  // `gain` is twice that of the named causes in log-likelihood.
+  void weigh(double gain) {
+    std::vector<std::string> names;
+    for (const NamedCause& cause : result_.causes) names.push_back(cause.name);
+    result_.weighed.push_back({names, gain / 2, result_.held_out});
+    for (const AcceptedTerm& accepted : found_.accepted) {
+      const std::string own = effect_name(accepted.effect);
+      for (const Alternative& other : accepted.alternatives) {
+        std::vector<std::string> instead = names;
+        std::replace(instead.begin(), instead.end(), own, other.name);
+        result_.weighed.push_back({std::move(instead), gain / 2 - other.deficit, std::nullopt});
+      }
     }
-    result_.held_out = confirmed.together;
-    result_.weighed = std::move(confirmed.weighed);
-    result_.noise_limit = confirmed.noise_limit;
-    result_.run_gains = std::move(confirmed.run_gains);
+  }
+
+  // Of one cause, all others kept.
+  HeldOut gain_of(const NamedCause& cause, const Problem& unseen, const Forecast& after,
+                  std::size_t c) {
+    const bool is_sealed = !sample_.held_out.cells.empty();
+    const Forecast less =
+        is_sealed
+            ? forecast(sample_.held_out, fitted_without(found_.problem, found_.model, cause.name))
+            : without_in_folds(cause.name);
+    return held_out_gain(unseen, less, after, options_.seed + c);
+  }
+
+  static std::vector<std::size_t> readings_of(const Dataset& part) {
+    std::vector<std::size_t> readings;
+    for (const DatasetRow& row : part.rows) readings.push_back(row.reading);
+    return readings;
+  }
+
+  std::vector<std::size_t> readings_beside(const Fold& fold) const {
+    const std::vector<std::size_t> own = readings_of(fold.unseen);
+    std::vector<std::size_t> others;
+    for (const std::size_t i : readings_of(sample_.training)) {
+      if (!std::binary_search(own.begin(), own.end(), i)) others.push_back(i);
+    }
+    return others;
   }
 
   void check_residual_structure() {
     const ResidualStructure left = residual_structure(
-        found_.problem, result_.model, found_.scatter.mounting, options_.alpha,
+        found_.problem, found_.model, found_.scatter.mounting, options_.alpha,
         {streams::seed_of_residual_structure(options_.seed), options_.replicates}, workers_,
         [this] { return stopped("checking what is left"); });
     result_.row_scatter = left.row_scatter;
     result_.structure = left.structure.findings;
     result_.structure_p_value = left.structure.p_value;
-    if (!stop_ && left.structure.p_value < structure_share_of_alpha * options_.alpha) {
+    const bool is_chance = left.structure.p_value >= structure_share_of_alpha * options_.alpha;
+    if (!stop_ && !is_chance && leaves_more_than_noise()) {
       result_.unexplained = {left.structure.findings.front().about, left.structure.where,
                              left.structure.p_value};
     }
   }
 
+  // Whether what the model leaves is clearly more than readings scatter by that no smooth law
+  // explains, and of a size that matters: what mountings do may follow anything.
+  bool leaves_more_than_noise() const {
+    constexpr double clearly = 1.2;
+    constexpr double matters = 0.002;  // of the readings
+    const Dataset& dataset = sample_.training;
+    const Forecast at = forecast(dataset, found_.model);
+    const Eigen::VectorXd left =
+        own_residuals(found_.problem, at).cwiseProduct(found_.problem.deviation_N);
+    if (left.norm() < matters * found_.problem.measured_N.norm()) return false;
+    const auto measured = noise_without_model(dataset);
+    if (const auto set = set_readings(dataset)) return !set->several;
+    if (!measured) return true;
+    const Eigen::VectorXd fitted = deviations_if_near(dataset, result_.noise, at.reading_N);
+    const Eigen::VectorXd smooth = deviations_if_near(dataset, *measured, at.reading_N);
+    return (fitted.array() / smooth.array()).log().mean() > std::log(clearly);
+  }
+
   void check_far_readings() {
     std::optional<Problem> unseen;
     if (!sample_.held_out.cells.empty()) {
-      unseen = problem(sample_.held_out, found_.scatter, result_.model, workers_);
+      unseen = problem(sample_.held_out, found_.scatter, found_.model, workers_);
     }
     const OutlierReadings far = outlier_readings_together(
         {found_.problem,
          unseen ? &*unseen : nullptr,
-         result_.model,
+         found_.model,
          result_.noise,
          result_.mounting,
          options_.alpha,
@@ -248,17 +457,14 @@ class Diagnosis {
 
   void plan_measurements() {
     const MeasurementPlan plan = measurement_plan(data_, options_.routings, result_.noise);
-    for (const Indistinguishable& group : aliases_.groups) {
-      result_.indistinguishable.push_back(group.names);
-    }
-    if (!aliases_.groups.empty()) {
-      const Indistinguishable& group = aliases_.groups.front();
-      result_.separating_measurement = separating_measurement(plan, group.models, group.names);
+    if (!alias_models_.empty()) {
+      result_.separating_measurement =
+          separating_measurement(plan, alias_models_, result_.indistinguishable.front());
       result_.next_measurement = result_.separating_measurement;
     } else if (!result_.causes.empty()) {
       const NamedCause& cause = result_.causes.front();
-      result_.next_measurement = shrinking_measurement(plan, found_.problem, result_.model,
-                                                       place(result_.model, cause.effect));
+      result_.next_measurement = shrinking_measurement(plan, found_.problem, found_.model,
+                                                       place(found_.model, cause.effect));
     }
   }
 
@@ -267,11 +473,18 @@ class Diagnosis {
       result_.verdict = Verdict::too_few;
     } else if (result_.unexplained) {
       result_.verdict = Verdict::unexplained;
-    } else if (!aliases_.groups.empty()) {
+    } else if (!result_.indistinguishable.empty()) {
       result_.verdict = Verdict::indistinguishable;
     } else {
       result_.verdict = result_.causes.empty() ? Verdict::none : Verdict::cause;
     }
+  }
+
+  void note_runs_apart() {
+    if (result_.apart.empty() || result_.unexplained) return;
+    const RunApart& first = result_.apart.front();
+    result_.unexplained = {"run", "run " + first.run + ": " + first.effect.cause->meaning(),
+                           resolved(std::exp(-first.evidence))};
   }
 
   std::vector<std::size_t> readings_used() const {
@@ -318,13 +531,12 @@ class Diagnosis {
   // they follow each other.
   void name_nothing_of_all_groups() {
     result_.causes.clear();
-    result_.withdrawn.clear();
-    result_.withdrawn_held_out.reset();
     result_.held_out.reset();
     result_.run_gains.clear();
     result_.weighed.clear();
     result_.row_scatter.reset();
-    aliases_.groups.clear();
+    result_.indistinguishable.clear();
+    alias_models_.clear();
     result_.model = found_.base;
   }
 
@@ -343,7 +555,9 @@ class Diagnosis {
   Model nominal_;
   Explanation found_;
   std::vector<Candidate> candidates_;
-  Aliases aliases_;
+  std::vector<Fold> folds_;
+  std::map<std::string, Forecast> without_in_folds_;  // by the name of a cause
+  std::vector<Model> alias_models_;  // of the first causes that cannot be told apart
   DiagnosisResult result_;
 };
 

@@ -1,16 +1,13 @@
 // What the simulation gets wrong, why, and what mending it gains.
 //
-//   data without repetitions → runs held out → coefficients calibrated (calibration.hpp) → scatter
-//   of readings and of mountings → causes accepted on the training runs (cause_search.hpp) → do
-//   these confirm each other (cross_validation.hpp), are their sizes sure → the gain on the
-//   held-out runs, which are opened once: if all names together may lose there, none is named →
-//   what else would explain all readings as much → is anything left (structure.hpp) → verdict
+//   data without repetitions → coefficients calibrated (calibration.hpp) → terms accepted by their
+//   evidence on all readings (term_search.hpp) → the same search without each fold of runs
+//   (folds.hpp): do most find the same names, and does what they find gain on the runs that they
+//   have not seen → runs apart, anything left (structure.hpp) → verdict
 //
-// A cause is named if it was accepted against chance (family-wise, alpha), if the training runs,
-// each forecast from the others, confirm it, if the interval of its size excludes the nominal one
-// and the size does not stand at a bound, if the named causes together gain on the held-out runs,
-// and if no other cause explains all readings nearly as well (within `alias_margin` in
-// log-likelihood). A coefficient is named if its calibration differs from what the hardware says.
+// A cause is named if its evidence is that of odds of 20 or more (least_evidence), if most folds
+// find it, too, and if the models of the folds gain on unseen runs in likelihood and do not lose in
+// newtons. A coefficient is named if its calibration differs from what the hardware says.
 // docs/diagnosis.md tells it for people.
 #pragma once
 
@@ -29,7 +26,7 @@ namespace reeve::diagnosis {
 // What the result depends on, besides the data and the hardware.
 struct DiagnosisSettings {
   double alpha = 0.02;
-  double hold_out = 0.3;  // share of the runs
+  double hold_out = 0;  // share of the runs that are sealed for a last test
   std::uint64_t seed = 1;
   std::size_t replicates = 1000;
   std::optional<std::size_t> most_causes;  // beside coefficients; none: as many as the data carry

@@ -15,13 +15,6 @@ NamedCause named_cause(const Effect& effect, double p_value) {
   return cause;
 }
 
-std::vector<AppliedCause> applied(const std::vector<NamedCause>& causes) {
-  std::vector<AppliedCause> result;
-  result.reserve(causes.size());
-  for (const NamedCause& cause : causes) result.push_back({cause.name, cause.effect});
-  return result;
-}
-
 EstimatedParameter estimated(const Effect& effect, std::size_t p, const ParameterInterval& interval,
                              const Hardware& hardware, double force_scale) {
   const Parameter parameter = searched_parameters(*effect.cause, hardware, force_scale)[p];

@@ -11,10 +11,9 @@
 #include "diagnosis/fit/intervals.hpp"
 #include "diagnosis/fit/mounting_scatter.hpp"
 #include "diagnosis/plan/next_measurement.hpp"
-#include "diagnosis/verdict/aliases.hpp"
 #include "diagnosis/verdict/compared_cell.hpp"
-#include "diagnosis/verdict/confirmation.hpp"
 #include "diagnosis/verdict/group_estimates.hpp"
+#include "diagnosis/verdict/held_out.hpp"
 #include "diagnosis/verdict/left_out.hpp"
 #include "diagnosis/verdict/losses.hpp"
 #include "diagnosis/verdict/row_scatter.hpp"
@@ -42,7 +41,7 @@ struct EstimatedParameter {
 
 struct RunnerUp {
   std::string name;
-  double delta_log_likelihood = 0;  // by which it explains the training runs less
+  double delta_log_likelihood = 0;  // by which its evidence is less
 };
 
 // A coefficient that is free in every model.
@@ -59,9 +58,27 @@ struct NamedCause {
   std::string detail;
   Effect effect;
   std::vector<EstimatedParameter> parameters;
-  std::optional<HeldOut> held_out;  // with this cause over without it, all others kept
-  double p_value = 1;
-  std::optional<RunnerUp> runner_up;
+  double p_value = 1;  // at most: under a model without it evidence rises so far by chance
+  // The rest is nothing of a coefficient.
+  std::optional<HeldOut> held_out{};    // with this cause over without it, all others kept
+  std::optional<double> evidence{};     // nats above the model without it
+  std::optional<double> probability{};  // among those that cannot be told from it
+  std::optional<double> folds{};        // share of the folds that find it
+  std::optional<RunnerUp> runner_up{};
+};
+
+// A run that does something by itself: a law of that run alone, which no model keeps.
+struct RunApart {
+  std::string run;
+  Effect effect;
+  double evidence = 0;
+};
+
+// The named causes together, or others in the place of one of them.
+struct WeighedCauses {
+  std::vector<std::string> causes;
+  double gain = 0;                  // of evidence, over the nominal model
+  std::optional<HeldOut> held_out;  // of the named ones
 };
 
 struct Unexplained {
@@ -82,10 +99,10 @@ struct DiagnosisResult {
   std::vector<StructureFinding> structure;  // after the named causes
   std::optional<HeldOut> held_out;          // all causes over none
   std::vector<CalibratedCoefficient> calibration;
-  std::vector<std::string> not_confirmed;  // accepted, but training runs forecast others worse
-  std::vector<std::string> not_sure;       // the interval holds the nominal size, or a bound
-  std::vector<std::string> withdrawn;      // together they may lose on the held-out runs
-  std::optional<HeldOut> withdrawn_held_out;
+  std::vector<RunApart> apart;
+  // Found in all readings, but not in most folds, or no gain on the runs that these have not seen.
+  std::vector<std::string> not_confirmed;
+  std::size_t folds = 0;
   std::size_t most_causes = 0;            // that were looked for, beside coefficients
   std::optional<NoiseLimit> noise_limit;  // over the model as it was; nothing if nothing held out
   std::vector<RunGain> run_gains;         // all causes over none, each held-out run
@@ -104,6 +121,7 @@ struct DiagnosisResult {
   std::optional<WithoutApart> without_apart;
   std::size_t rows = 0;  // used, training and held out
   std::size_t runs = 0;
+  // Forecast by a model that has not seen them: sealed ones, or by the folds all.
   std::size_t held_out_runs = 0;
   std::size_t dropped_duplicates = 0;
   std::size_t thinned_rows = 0;  // beyond most_readings
@@ -111,8 +129,6 @@ struct DiagnosisResult {
 };
 
 NamedCause named_cause(const Effect& effect, double p_value);
-
-std::vector<AppliedCause> applied(const std::vector<NamedCause>& causes);
 
 // The p-th parameter of an effect, as it is searched where forces are of this scale.
 EstimatedParameter estimated(const Effect& effect, std::size_t p, const ParameterInterval& interval,

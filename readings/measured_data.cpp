@@ -14,6 +14,7 @@
 #include "readings/outliers.hpp"
 #include "readings/row_order.hpp"
 #include "readings/row_reader.hpp"
+#include "readings/silent_runs.hpp"
 
 namespace reeve::readings {
 namespace {
@@ -109,6 +110,7 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
   faults.throw_any(csv.name());
   require_rows(csv, data.readings.size(), data.notes);
   std::move(columns.notes.begin(), columns.notes.end(), std::back_inserter(data.notes));
+  leave_out_silent_runs(data);
   part_runs_by_group(data);
   if (options.group) note_groups(data);
   std::vector<CsvComment> below_the_header;

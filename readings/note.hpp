@@ -44,6 +44,7 @@ enum class NoteKind : std::uint8_t {
   reversed,                // of a time series: pulling looks like releasing
   against_motion,          // of a time series: its column direction says otherwise than it moves
   sparse,                  // of a time series: tensions that too few samples have
+  silent_run,              // of a run in which no sensor says anything (silent_runs.hpp)
   outside_law,             // beyond the range that a law of the model was seen in
 };
 
@@ -80,6 +81,7 @@ inline const char* note_kind_name(NoteKind kind) {
                              "reversed",
                              "against_motion",
                              "sparse",
+                             "silent_run",
                              "outside_law"};
   static_assert(names.size() == static_cast<std::size_t>(NoteKind::outside_law) + 1);
   return names[static_cast<std::size_t>(kind)];

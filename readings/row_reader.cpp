@@ -163,7 +163,7 @@ class RowReader {
       set_errors(*numbers, reading);
     }
     read_covariates(row, reading);
-    require_tension(row, *numbers);
+    note_without_tension(row, *numbers);
     data_.readings.push_back(std::move(reading));
   }
 
@@ -171,6 +171,7 @@ class RowReader {
   MeasuredData finish() {
     data_.file = csv_.name();
     data_.runs = runs_.take();
+    add_rows_without_tension();
     data_.groups = groups_.take();
     data_.channels = routings_.channels();
     data_.routings = routings_.with_segments();
@@ -296,19 +297,33 @@ class RowReader {
     }
   }
 
-  void require_tension(const CsvRow& row, const RowCells::Numbers& numbers) {
-    const auto first = find_column(columns_, DataRole::tension);
-    if (!first) return;
+  void note_without_tension(const CsvRow& row, const RowCells::Numbers& numbers) {
+    if (!find_column(columns_, DataRole::tension)) return;
     for (std::size_t column = 0; column < columns_.size(); ++column) {
       // A cell that cannot be read is a fault of its own.
       if (columns_[column].role != DataRole::tension) continue;
       if (numbers[column] || !is_missing(trimmed(row.fields[column]))) return;
     }
-    faults_.add(row.line, "rows without a tension",
-                {.where = fmt::format("{}:{}", csv_.name(), row.line),
-                 .what = "the row has no tension",
-                 .expected = fmt::format("a number in column '{}' or another one of tensions",
-                                         for_message(columns_[*first].name))});
+    without_tension_.push_back(data_.readings.size());
+  }
+
+  // Whole runs without one are left out later (silent_runs.hpp).
+  void add_rows_without_tension() {
+    std::vector<std::size_t> rows(std::max<std::size_t>(data_.runs.size(), 1), 0);
+    std::vector<std::size_t> empty = rows;
+    for (const Reading& reading : data_.readings) ++rows[reading.run];
+    for (const std::size_t r : without_tension_) ++empty[data_.readings[r].run];
+    const bool all = without_tension_.size() == data_.readings.size();
+    for (const std::size_t r : without_tension_) {
+      const Reading& reading = data_.readings[r];
+      if (!all && rows[reading.run] == empty[reading.run]) continue;
+      faults_.add(reading.line, "rows without a tension",
+                  {.where = fmt::format("{}:{}", csv_.name(), reading.line),
+                   .what = "the row has no tension",
+                   .expected = fmt::format(
+                       "a number in column '{}' or another one of tensions",
+                       for_message(columns_[*find_column(columns_, DataRole::tension)].name))});
+    }
   }
 
   void set_known_noise() {
@@ -365,6 +380,7 @@ class RowReader {
   std::vector<CovariateColumn> covariates_;
   NamesSeen runs_;
   NamesSeen groups_;
+  std::vector<std::size_t> without_tension_;  // places in the readings
   MeasuredData data_;
 };
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/confusion/foreign.hpp"
 #include "bench/confusion/report.hpp"
 #include "bench/confusion/trial.hpp"
 #include "numerics/parallel.hpp"
@@ -76,7 +77,8 @@ int run_main(int argc, char** argv) {
   app.add_option("--seed", options.seed)->capture_default_str();
   app.add_option("--part", options.part,
                  "single, null, pairs, unknown, alias, coverage, leakage, mounting, "
-                 "few_mountings, heavy, negative, rig, dirty or all")
+                 "few_mountings, heavy, negative, rig, dirty, law, idle, bench, apart, outliers, "
+                 "imported or all")
       ->capture_default_str();
   app.add_option("--visible", options.visible,
                  "least log-likelihood ratio of the truth that counts as visible")
@@ -97,6 +99,15 @@ int run_main(int argc, char** argv) {
     if (options.part != "all" && options.part != part_name(part)) continue;
     found = true;
     run_part(part, options);
+  }
+  for (const std::string& part : foreign_parts()) {
+    if (options.part != "all" && options.part != part) continue;
+    found = true;
+    if (!options.save.empty()) std::filesystem::create_directories(options.save);
+    DiagnoseOptions diagnosis = options.diagnosis;
+    diagnosis.threads = options.threads;
+    fmt::print("{}", foreign_report(part, options.sets, options.seed, diagnosis, options.list,
+                                    options.save));
   }
   if (!found) fmt::print(stderr, "there is no part '{}'\n", options.part);
   return found ? 0 : 2;

@@ -123,17 +123,9 @@ Trial trial_of(Part part, std::size_t index, std::uint64_t seed) {
   return trial;
 }
 
-MeasuredData parse(const std::string& csv) {
-  return parse_measured_data(csv, "planted.csv",
-                             [](const std::string& word) { return parse_routing(word); });
-}
-
 Finding finding_of(const DiagnosisResult& result) {
   Finding finding{result.verdict, {}, result.indistinguishable, result.not_confirmed};
   for (const NamedCause& cause : result.causes) finding.named.push_back(cause.name);
-  for (const auto* others : {&result.not_sure, &result.withdrawn}) {
-    finding.given_up.insert(finding.given_up.end(), others->begin(), others->end());
-  }
   return finding;
 }
 
@@ -187,7 +179,7 @@ double least_ratio(const Planted& planted) {
 }
 
 void diagnose_planted(const Planted& planted, const DiagnoseOptions& options, Outcome& outcome) {
-  const MeasuredData data = parse(planted.csv);
+  const MeasuredData data = parse_planted(planted.csv);
   const DiagnosisResult result = diagnose(data, {}, options);
   outcome.finding = finding_of(result);
   for (const auto& cause : planted.causes) outcome.planted.push_back(cause.name);
@@ -206,11 +198,11 @@ void diagnose_alias(const DiagnoseOptions& options, Outcome& outcome) {
   const auto alias = testing::plant_alias(trial.alias, trial.plan.noise, trial.seed);
   diagnose_planted(alias.aliased, options, outcome);
   outcome.equivalent.assign(alias.names.begin(), alias.names.end());
-  outcome.with_more = finding_of(diagnose(parse(alias.separated.csv), {}, options));
+  outcome.with_more = finding_of(diagnose(parse_planted(alias.separated.csv), {}, options));
 }
 
 void diagnose_copies(const Planted& planted, const DiagnoseOptions& options, Outcome& outcome) {
-  const MeasuredData copied = parse(testing::with_copied_runs(planted, 2));
+  const MeasuredData copied = parse_planted(testing::with_copied_runs(planted, 2));
   const DiagnosisResult result = diagnose(copied, {}, options);
   outcome.with_more = finding_of(result);
   outcome.copies_dropped =
@@ -304,6 +296,11 @@ bool names_wrong(const Outcome& outcome, const Finding& finding) {
   });
 }
 
+MeasuredData parse_planted(const std::string& csv) {
+  return parse_measured_data(csv, "planted.csv",
+                             [](const std::string& word) { return parse_routing(word); });
+}
+
 Outcome run(const Trial& trial, const DiagnoseOptions& options) {
   Outcome outcome;
   outcome.trial = trial;
@@ -314,12 +311,12 @@ Outcome run(const Trial& trial, const DiagnoseOptions& options) {
   const Planted planted = testing::plant(trial.plan, trial.seed);
   diagnose_planted(planted, options, outcome);
   if (asks_for_the_right_one(trial.part)) {
-    outcome.separability = separability(planted, parse(planted.csv));
+    outcome.separability = separability(planted, parse_planted(planted.csv));
   }
   if (trial.part == Part::leakage) diagnose_copies(planted, options, outcome);
   if (trial.part == Part::dirty) {
     const std::string dirty = testing::dirtied(planted.csv, trial.dirt, trial.seed);
-    outcome.with_more = finding_of(diagnose(parse(dirty), {}, options));
+    outcome.with_more = finding_of(diagnose(parse_planted(dirty), {}, options));
   }
   return outcome;
 }

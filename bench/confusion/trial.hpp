@@ -81,6 +81,8 @@ struct Outcome {
   std::string csv;
 };
 
+MeasuredData parse_planted(const std::string& csv);
+
 Outcome run(const Trial& trial, const DiagnoseOptions& options);
 
 // Whether the named causes are just the hidden ones.

@@ -43,7 +43,7 @@ std::vector<Coordinate> coordinates(const Problem& problem, const Model& model) 
 
 bool has_tensions(const Fit& fit) { return fit.misfit < no_tensions; }
 
-Fit fit(const Problem& problem, const Model& model) {
+Fit fit(const Problem& problem, const Model& model, Precision precision) {
   constexpr int evaluations = 25;
   const std::vector<Coordinate> free = coordinates(problem, model);
   if (free.empty()) return {model, misfit(problem, model)};
@@ -65,7 +65,7 @@ Fit fit(const Problem& problem, const Model& model) {
     if (!there) return std::nullopt;
     return residuals(problem, *there);
   };
-  LeastSquares found = least_squares(residuals_at, box, start);
+  LeastSquares found = least_squares(residuals_at, box, start, precision);
   if (!found.converged) {
     found.minimum = refine(
         [&](const std::vector<double>& at) {
@@ -79,7 +79,7 @@ Fit fit(const Problem& problem, const Model& model) {
 }
 
 Fit fit(const Problem& problem, const Model& model, std::size_t effect,
-        const std::vector<std::vector<double>>& starts) {
+        const std::vector<std::vector<double>>& starts, Precision precision) {
   constexpr std::size_t refined = 2;
   std::vector<Fit> trials;
   for (const std::vector<double>& values : starts) {
@@ -91,10 +91,10 @@ Fit fit(const Problem& problem, const Model& model, std::size_t effect,
   if (trials.empty()) trials.push_back({model, misfit(problem, model)});
   std::stable_sort(trials.begin(), trials.end(),
                    [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
-  Fit best = fit(problem, trials.front().model);
+  Fit best = fit(problem, trials.front().model, precision);
   if (parameter_count(model) == 0) return best;
   for (std::size_t i = 1; i < std::min(refined, trials.size()); ++i) {
-    Fit other = fit(problem, trials[i].model);
+    Fit other = fit(problem, trials[i].model, precision);
     if (other.misfit < best.misfit) best = std::move(other);
   }
   return best;

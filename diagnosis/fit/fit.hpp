@@ -6,8 +6,11 @@
 #include <vector>
 
 #include "diagnosis/fit/problem.hpp"
+#include "numerics/least_squares.hpp"
 
 namespace reeve::diagnosis {
+
+using numerics::Precision;
 
 struct Fit {
   Model model;
@@ -18,12 +21,12 @@ struct Fit {
 bool has_tensions(const Fit& fit);
 
 // From the model's own values.
-Fit fit(const Problem& problem, const Model& model);
+Fit fit(const Problem& problem, const Model& model, Precision precision = Precision::full);
 
 // With the effect at this place started from each of `starts` (and from values across its range),
 // the best two of which are refined; the others start where they are.
 Fit fit(const Problem& problem, const Model& model, std::size_t effect,
-        const std::vector<std::vector<double>>& starts);
+        const std::vector<std::vector<double>>& starts, Precision precision = Precision::full);
 
 bool same_effect(const Effect& a, const Effect& b);
 

@@ -40,7 +40,7 @@ Hardware hardware_of(const Model& model, const ReadingBlock& block) {
 class BlockForecast {
  public:
   BlockForecast(const Dataset& dataset, const Model& model, const ReadingBlock& block,
-                const Hardware& hardware, Forecast& forecast)
+                const Hardware& hardware, Forecast& forecast, RowContacts* contacts)
       : dataset_(dataset),
         model_(model),
         block_(block),
@@ -50,7 +50,8 @@ class BlockForecast {
         by_row_(reaches(model, Reach::conditions) || reaches(model, Reach::load)),
         by_load_(reaches(model, Reach::load)),
         linear_(reads_linearly(model)),
-        forecast_(forecast) {
+        forecast_(forecast),
+        contacts_(contacts) {
     for (std::size_t c = 0; c < routing_.segments.size(); ++c) {
       if (!routing_.segments[c]) continue;
       place_.resize(c + 1);
@@ -72,11 +73,12 @@ class BlockForecast {
       forecast_.jams[r] = state->jams;
       if (row.has_motor_tension) {
         read(row, *state, conditions.motor_tension_N);
-        if (row.motor_deviation_N > 0) {
-          of_row(forecast_.by_scale, row) = slope(row, *state, conditions.motor_tension_N);
-        }
+        note_contacts(r, conditions.motor_tension_N);
+        of_row(forecast_.by_scale, row) =
+            by_load_ ? slope_by_load(row)
+                     : arriving(row) * slope(row, *state, conditions.motor_tension_N);
       } else {
-        read_scaled(row, *state);
+        note_contacts(r, read_scaled(row, *state));
       }
     }
     return in_range_;
@@ -112,7 +114,15 @@ class BlockForecast {
                          static_cast<Eigen::Index>(row.last - row.first));
   }
 
-  void read_scaled(const DatasetRow& row, const TensionState& first) {
+  void note_contacts(std::size_t row, double motor_tension_N) {
+    if (contacts_ == nullptr) return;
+    std::vector<causes::SolvedContact>& own = (*contacts_)[row];
+    own = solver_.contacts();
+    for (causes::SolvedContact& contact : own) contact.high *= motor_tension_N;
+  }
+
+  // Returns the scale.
+  double read_scaled(const DatasetRow& row, const TensionState& first) {
     constexpr int rounds = 30;
     constexpr double settled = 1e-9;
     const TensionState* state = &first;
@@ -126,6 +136,33 @@ class BlockForecast {
     }
     read(row, *state, scale);
     of_row(forecast_.by_scale, row) = slope(row, *state, scale);
+    return scale;
+  }
+
+  // Of the tension at the tendons against that recorded of the motor.
+  double arriving(const DatasetRow& row) const {
+    constexpr double step_N = 1e-3;
+    if (!reaches(model_, Reach::motor)) return 1;
+    const auto tension = [&](double more_N) {
+      Conditions conditions = row.conditions;
+      conditions.motor_tension_N += more_N;
+      return at_tendon(model_, block_.direction, conditions).motor_tension_N;
+    };
+    return (tension(step_N) - tension(-step_N)) / (2 * step_N);
+  }
+
+  // Of the row's readings against the motor tension, which changes friction.
+  Eigen::VectorXd slope_by_load(const DatasetRow& row) {
+    constexpr double share = 1e-3;
+    const double step_N = share * std::max(row.conditions.motor_tension_N, share);
+    const auto at = [&](double more_N) {
+      Conditions conditions = row.conditions;
+      conditions.motor_tension_N += more_N;
+      conditions = at_tendon(model_, block_.direction, conditions);
+      return readings(row, solve(conditions), conditions.motor_tension_N);
+    };
+    const Eigen::VectorXd above = at(step_N);
+    return (above - at(-step_N)) / (2 * step_N);
   }
 
   // Of the row's readings against the scale.
@@ -181,10 +218,12 @@ class BlockForecast {
   std::vector<std::size_t> segments_;  // parallel: in the network
   std::vector<std::size_t> place_;     // of each channel, among the sensors
   Forecast& forecast_;
+  RowContacts* contacts_;
   bool in_range_ = true;
 };
 
-std::variant<Forecast, NoForecast> attempt(const Dataset& dataset, const Model& model) {
+std::variant<Forecast, NoForecast> attempt(const Dataset& dataset, const Model& model,
+                                           RowContacts* contacts = nullptr) {
   const auto n = static_cast<Eigen::Index>(dataset.cells.size());
   Forecast result{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n),
                   std::vector<bool>(dataset.rows.size(), false)};
@@ -192,7 +231,7 @@ std::variant<Forecast, NoForecast> attempt(const Dataset& dataset, const Model& 
     const std::size_t reading = dataset.rows[block.rows.front()].reading;
     const Hardware hardware = hardware_of(model, block);
     if (const auto found = fault(hardware)) return NoForecast{reading, sentence(*found)};
-    if (!BlockForecast(dataset, model, block, hardware, result).run()) {
+    if (!BlockForecast(dataset, model, block, hardware, result, contacts).run()) {
       return NoForecast{reading, "friction is so strong that tensions fall out of range"};
     }
   }
@@ -208,6 +247,12 @@ Hardware with_sheath_angle(Hardware hardware, double angle_rad) {
     if (is_sheath(contact)) contact.angle_rad.reset();
   }
   return hardware;
+}
+
+RowContacts contacts_of_rows(const Dataset& dataset, const Model& model) {
+  RowContacts contacts(dataset.rows.size());
+  attempt(dataset, model, &contacts);
+  return contacts;
 }
 
 std::optional<Forecast> try_forecast(const Dataset& dataset, const Model& model) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "causes/model.hpp"
+#include "causes/model_solver.hpp"
 #include "core/hardware.hpp"
 #include "diagnosis/dataset.hpp"
 
@@ -26,10 +27,15 @@ Hardware with_sheath_angle(Hardware hardware, double angle_rad);
 
 struct Forecast {
   Eigen::VectorXd reading_N;  // parallel to the cells
-  // By the motor tension, of cells whose row has none or one that scatters; of others 0.
-  Eigen::VectorXd by_scale;
-  std::vector<bool> jams;  // parallel to the rows
+  Eigen::VectorXd by_scale;   // by the motor tension
+  std::vector<bool> jams;     // parallel to the rows
 };
+
+// The contacts of each row, with the larger tension beside each in newton; where the motor tension
+// is not recorded, at the scale that the row's readings tell.
+using RowContacts = std::vector<std::vector<causes::SolvedContact>>;
+// Of a model that has tensions.
+RowContacts contacts_of_rows(const Dataset& dataset, const Model& model);
 
 // Nothing where the model's tensions are out of range, or its hardware is none that there can be.
 std::optional<Forecast> try_forecast(const Dataset& dataset, const Model& model);

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
+#include <vector>
 
-#include "diagnosis/fit/run_equations.hpp"
 #include "numerics/matrices.hpp"
 #include "numerics/student_t.hpp"
 
@@ -25,6 +26,50 @@ double two_sided_t(double degrees) { return student_t_quantile(0.5 + covered / 2
 
 MatrixXd inverse_square(const MatrixXd& jacobian) {
   return inverse_of_symmetric(jacobian.transpose() * jacobian);
+}
+
+// What each run says of a model's parameters, to first order about a fit: H_r = J_rᵀ J_r and
+// g_r = J_rᵀ e_r, with the rows of the residuals e and sensitivities J that belong to run r, in
+// units of the noise.
+struct RunEquations {
+  std::vector<Index> cells;
+  MatrixXd square;  // H_r
+  VectorXd along;   // g_r
+};
+
+// A run with a smaller share of what is known of a direction says nothing about it: sensitivities
+// are differences of forecasts, and what rounding leaves of them is no knowledge.
+constexpr double least_share = 1e-3;
+
+// In the order in which the data name the runs.
+std::vector<RunEquations> run_equations(const Problem& problem, const MatrixXd& jacobian,
+                                        const VectorXd& residuals) {
+  std::map<std::size_t, RunEquations> runs;
+  const Dataset& dataset = *problem.dataset;
+  const Index parameters = jacobian.cols();
+  for (const DatasetRow& row : dataset.rows) {
+    const auto first = static_cast<Index>(row.first);
+    const auto size = static_cast<Index>(row.last - row.first);
+    const auto part = jacobian.middleRows(first, size);
+    RunEquations& run = runs[dataset.data->readings[row.reading].run];
+    if (run.cells.empty()) {
+      run.square.setZero(parameters, parameters);
+      run.along.setZero(parameters);
+    }
+    for (Index i = 0; i < size; ++i) run.cells.push_back(first + i);
+    run.square += part.transpose() * part;
+    run.along += part.transpose() * residuals.segment(first, size);
+  }
+  std::vector<RunEquations> result;
+  for (auto& [run, equations] : runs) result.push_back(std::move(equations));
+  return result;
+}
+
+// One over the length of each column, so that parameters of any unit compare; 1 for a column of
+// zeros.
+VectorXd column_scale(const MatrixXd& jacobian) {
+  const VectorXd lengths = jacobian.colwise().norm().transpose();
+  return lengths.unaryExpr([](double length) { return length > 0 ? 1 / length : 1.0; });
 }
 
 // The variances of the parameters that readings would leave which share nothing.

@@ -9,6 +9,7 @@
 #include "diagnosis/fit/null_model.hpp"
 #include "diagnosis/fit/problem.hpp"
 #include "diagnosis/fit/scatter_fit.hpp"
+#include "numerics/robust.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -60,6 +61,56 @@ void take_out(const std::vector<MotorAxis>& axes, Eigen::MatrixXd& columns) {
   }
 }
 
+// The residuals of one mounting, and what its mounting and its motor tensions could explain.
+struct MountedResiduals {
+  std::vector<Eigen::Index> cells;
+  Eigen::VectorXd weights;
+  Eigen::VectorXd weighted;
+  std::vector<MotorAxis> axes;
+  Eigen::MatrixXd basis;
+
+  Eigen::VectorXd left() const { return beside(weighted); }
+
+  // A reading that is far off would stand in all others: what these say is taken for it.
+  Eigen::VectorXd left(double far) const {
+    constexpr int rounds = 10;
+    Eigen::VectorXd seen = weighted;
+    Eigen::VectorXd own = beside(seen);
+    for (int round = 0; round < rounds; ++round) {
+      const Eigen::VectorXd expected = seen - own;
+      for (Eigen::Index i = 0; i < own.size(); ++i) {
+        const bool is_far = std::abs(weighted[i] - expected[i]) > far;
+        seen[i] = is_far ? expected[i] : weighted[i];
+      }
+      own = beside(seen);
+    }
+    return weighted - (seen - own);
+  }
+
+  // The share of each reading that is not explained, whatever it is.
+  Eigen::VectorXd kept() const {
+    Eigen::VectorXd result = (1 - basis.rowwise().squaredNorm().array()).matrix();
+    for (const MotorAxis& of : axes) result(of.places) -= of.axis.cwiseAbs2();
+    return result;
+  }
+
+ private:
+  Eigen::VectorXd beside(Eigen::MatrixXd residuals) const {
+    take_out(axes, residuals);
+    return residuals - basis * (basis.transpose() * residuals);
+  }
+};
+
+// Readings that are wrong by accident are some ten times the usual away.
+double far_off(const std::vector<MountedResiduals>& mounted) {
+  constexpr double usual = 10;
+  std::vector<double> sizes;
+  for (const MountedResiduals& of : mounted) {
+    for (const double own : of.left()) sizes.push_back(std::abs(own));
+  }
+  return usual * median(std::move(sizes));
+}
+
 }  // namespace
 
 Noise noise_left_by(const Dataset& dataset, const Model& model) {
@@ -91,30 +142,33 @@ std::optional<Noise> noise_left_within_mountings(const Dataset& dataset, const M
       row_of.push_back(r);
     }
   }
-  const std::vector<bool> tells = tell_of_noise(dataset);
-  std::vector<ScatterSample> samples;
+  std::vector<MountedResiduals> mounted;
   for (const Mounting& mounting : mountings(dataset)) {
     Eigen::VectorXd weights = at.reading_N(mounting.cells);
     for (double& of : weights) of = weight(of, middle);
-    const std::vector<MotorAxis> axes =
+    std::vector<MotorAxis> axes =
         motor_axes(mounting.cells, row_of,
                    weights.cwiseProduct(Eigen::VectorXd(at.by_scale(mounting.cells))), known);
     // Out of both: what mountings could explain of scattering motor tensions is no row's axis.
     Eigen::MatrixXd columns =
         weights.asDiagonal() * Eigen::MatrixXd(modes.by_share_N(mounting.cells, Eigen::all));
-    Eigen::MatrixXd weighted = weights.cwiseProduct(Eigen::VectorXd(left(mounting.cells)));
     take_out(axes, columns);
-    take_out(axes, weighted);
-    const Eigen::MatrixXd basis = orthonormal_basis(columns);
-    const Eigen::VectorXd own = weighted - basis * (basis.transpose() * weighted);
-    Eigen::VectorXd kept = (1 - basis.rowwise().squaredNorm().array()).matrix();
-    for (const MotorAxis& of : axes) kept(of.places) -= of.axis.cwiseAbs2();
+    const Eigen::VectorXd weighted = weights.cwiseProduct(Eigen::VectorXd(left(mounting.cells)));
+    mounted.push_back(
+        {mounting.cells, weights, weighted, std::move(axes), orthonormal_basis(columns)});
+  }
+  const double far = far_off(mounted);
+  const std::vector<bool> tells = tell_of_noise(dataset);
+  std::vector<ScatterSample> samples;
+  for (const MountedResiduals& of : mounted) {
+    const Eigen::VectorXd own = of.left(far);
+    const Eigen::VectorXd kept = of.kept();
     for (Eigen::Index i = 0; i < own.size(); ++i) {
-      const Eigen::Index cell = mounting.cells[static_cast<std::size_t>(i)];
+      const Eigen::Index cell = of.cells[static_cast<std::size_t>(i)];
       const std::size_t channel = dataset.cells[static_cast<std::size_t>(cell)].channel;
       if (!tells[channel]) continue;
-      samples.push_back({std::max(at.reading_N[cell], 0.0), own[i] / weights[i], scaled * kept[i],
-                         known[cell], row_of[static_cast<std::size_t>(cell)]});
+      samples.push_back({std::max(at.reading_N[cell], 0.0), own[i] / of.weights[i],
+                         scaled * kept[i], known[cell], row_of[static_cast<std::size_t>(cell)]});
     }
   }
   return noise_of_samples(dataset, std::move(samples));

@@ -101,10 +101,12 @@ Eigen::MatrixXd loadings_of(const Problem& problem, const MountingModes& modes,
 
 }  // namespace
 
-void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd& whitened) {
+void take_out_scales(const Problem& problem, const Forecast& at,
+                     Eigen::Ref<Eigen::MatrixXd> whitened) {
   for_each_scale(problem, at, [&](const ScaleAxis& scale) {
-    auto row = whitened.segment(scale.first, scale.size);
-    row -= scale.share * scale.axis.dot(row) * scale.axis;
+    auto rows = whitened.middleRows(scale.first, scale.size);
+    const Eigen::RowVectorXd along = scale.share * (scale.axis.transpose() * rows);
+    rows.noalias() -= scale.axis * along;
   });
 }
 
@@ -179,11 +181,7 @@ void share_scatter(Problem& problem, const MountingModes& modes, const MountedSc
   const Eigen::MatrixXd loadings = loadings_of(problem, modes, scatter);
   if (loadings.squaredNorm() == 0) return;
   Eigen::MatrixXd seen = loadings;
-  for (Index k = 0; k < seen.cols(); ++k) {
-    Eigen::VectorXd column = seen.col(k);
-    take_out_scales(problem, at, column);
-    seen.col(k) = column;
-  }
+  take_out_scales(problem, at, seen);
   for (Mounting& mounting : mountings(*problem.dataset)) {
     const Eigen::MatrixXd own = loadings(mounting.cells, Eigen::all);
     const Eigen::MatrixXd own_seen = seen(mounting.cells, Eigen::all);

@@ -65,9 +65,10 @@ Problem part_of(const Problem& whole, const Dataset& dataset);
 // m of each cell, N.
 Eigen::VectorXd expected_readings(const Problem& problem, const Forecast& forecast);
 
-// Takes what a change of the rows' free scales could explain out of a vector in units of the noise,
+// Takes what a change of the rows' free scales could explain out of columns in units of the noise,
 // and of scales that scatter their part.
-void take_out_scales(const Problem& problem, const Forecast& at, Eigen::VectorXd& whitened);
+void take_out_scales(const Problem& problem, const Forecast& at,
+                     Eigen::Ref<Eigen::MatrixXd> whitened);
 
 Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast);
 Eigen::VectorXd own_residuals(const Problem& problem, const Forecast& forecast);

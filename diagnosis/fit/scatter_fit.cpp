@@ -14,11 +14,22 @@ namespace {
 constexpr double floor_share = 1e-3;  // of the median reading
 constexpr double least_relative = 1e-5;
 constexpr double heavy_tails[] = {3, 6};
+constexpr double normal_tail = 0;
+// Normal, but of readings that are wrong by accident, as evidence takes them (evidence.hpp).
+constexpr double clipped_tail = -1;
 // Chi-squared of one degree of freedom, on its edge.
 constexpr double cost_of_tails = 9.5;
 constexpr double surely = 0.999;
 // Of a group, so that its scatter is known to 18 %.
 constexpr double enough_of_group = 15;
+
+// Of the square of a residual in units of its scatter.
+double surprise(double square, double tail) {
+  if (tail > 0) return (tail + 1) * std::log1p(square / tail);
+  constexpr double far = outlying * outlying;
+  if (tail == normal_tail || square <= far) return square;
+  return far * (1 + std::log(square / far));
+}
 
 // Twice the negative restricted log-likelihood, but for a constant.
 double misfit(const std::vector<ScatterSample>& samples, double absolute, double relative,
@@ -30,8 +41,7 @@ double misfit(const std::vector<ScatterSample>& samples, double absolute, double
     const double own = absolute * absolute + scatter * scatter;
     const double variance = sample.scale * sample.scale * own + sample.motor_variance_N2;
     const double square = sample.residual_N * sample.residual_N / variance;
-    sum += sample.kept * std::log(variance);
-    sum += tail == 0 ? square : sample.kept * (tail + 1) * std::log1p(square / sample.kept / tail);
+    sum += sample.kept * std::log(variance) + sample.kept * surprise(square / sample.kept, tail);
   }
   return sum;
 }
@@ -58,7 +68,7 @@ Trial trial(const Dataset& dataset, const std::vector<ScatterSample>& samples, d
   const Minimum best =
       minimise([&](const std::vector<double>& x) { return at(x) - penalty(x); }, box, evaluations);
   return {{std::exp(best.at[0]), std::exp(best.at[1]), tail, {}},
-          best.value + penalty(best.at) - (tail == 0 ? 0 : degrees(samples) * height(tail))};
+          best.value + penalty(best.at) - (tail <= 0 ? 0 : degrees(samples) * height(tail))};
 }
 
 std::vector<ScatterSample> mostly_free(std::vector<ScatterSample> samples) {
@@ -152,12 +162,14 @@ double degrees(const std::vector<ScatterSample>& samples) {
 double least_absolute(const Dataset& dataset) { return floor_share * median_reading(dataset); }
 
 ScatterFit normal_scatter(const Dataset& dataset, const std::vector<ScatterSample>& samples) {
-  return trial(dataset, samples, 0).fit;
+  ScatterFit fit = trial(dataset, samples, clipped_tail).fit;
+  fit.tail = normal_tail;
+  return fit;
 }
 
 ScatterFit likeliest_scatter(const Dataset& dataset, const std::vector<ScatterSample>& samples) {
   const std::vector<ScatterSample> free = mostly_free(samples);
-  Trial best = trial(dataset, free, 0);
+  Trial best = trial(dataset, free, normal_tail);
   const auto consider = [&](const std::optional<Trial>& other, double cost) {
     if (!other || other->misfit + cost >= best.misfit) return;
     best = *other;
@@ -165,7 +177,7 @@ ScatterFit likeliest_scatter(const Dataset& dataset, const std::vector<ScatterSa
   };
   for (const double tail : heavy_tails) consider(trial(dataset, free, tail), cost_of_tails);
   if (dataset.data->groups.size() > 1) {
-    consider(trial_by_group(dataset, free, 0), 0);
+    consider(trial_by_group(dataset, free, normal_tail), 0);
     for (const double tail : heavy_tails) {
       consider(trial_by_group(dataset, free, tail), cost_of_tails);
     }

@@ -2,7 +2,9 @@
 // rows alike or of each group of rows by itself.
 //
 //   v = f_g² (absolute² + (relative T)²) + what is known of the motor tension
-//   −2 ℓ = Σ k ln v + r² / v                                     normal
+//   −2 ℓ = Σ k ln v + r² / v                                     normal; beyond 3.5² as in
+//                                                                robust_misfit of evidence.hpp
+//                                                                where a model left the residuals
 //        = Σ k ln v + k (ν + 1) ln(1 + r² / (k ν v)) + constant   Student's t
 //
 // of residuals r of which the part k of the variance is left. Least is −2 ℓ − 2 ln absolute − 2 ln
@@ -18,6 +20,9 @@
 #include "diagnosis/fit/scatter_samples.hpp"
 
 namespace reeve::diagnosis {
+
+// Standard deviations, beyond which a reading weighs as one there: it is wrong by accident.
+inline constexpr double outlying = 3.5;
 
 // How many degrees of freedom samples have together.
 double degrees(const std::vector<ScatterSample>& samples);

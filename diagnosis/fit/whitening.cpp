@@ -28,28 +28,19 @@ SharedScatter shared_scatter(std::vector<Index> cells, MatrixXd loadings, const 
   return result;
 }
 
-void whiten(const Whitening& whitening, Eigen::Ref<VectorXd> residuals) {
-  std::size_t most = 0;
-  for (const SharedScatter& shared : whitening) most = std::max(most, shared.cells.size());
-  // One allocation. (Where there is no memory for a vector's new size, Eigen frees the old one
-  // twice.)
-  VectorXd memory(static_cast<Index>(most));
+void whiten(const Whitening& whitening, Eigen::Ref<MatrixXd> columns) {
   for (const SharedScatter& shared : whitening) {
     if (shared.shrunk.size() == 0) continue;
-    auto own = memory.head(static_cast<Index>(shared.cells.size()));
-    for (Index i = 0; i < own.size(); ++i) {
-      own[i] = residuals[shared.cells[static_cast<std::size_t>(i)]];
+    MatrixXd own(static_cast<Index>(shared.cells.size()), columns.cols());
+    for (Index i = 0; i < own.rows(); ++i) {
+      own.row(i) = columns.row(shared.cells[static_cast<std::size_t>(i)]);
     }
-    const VectorXd along = shared.shrunk.cwiseProduct(shared.axes.transpose() * own);
+    const MatrixXd along = shared.shrunk.asDiagonal() * (shared.axes.transpose() * own);
     own.noalias() -= shared.axes * along;
-    for (Index i = 0; i < own.size(); ++i) {
-      residuals[shared.cells[static_cast<std::size_t>(i)]] = own[i];
+    for (Index i = 0; i < own.rows(); ++i) {
+      columns.row(shared.cells[static_cast<std::size_t>(i)]) = own.row(i);
     }
   }
-}
-
-void whiten_columns(const Whitening& whitening, MatrixXd& columns) {
-  for (Index c = 0; c < columns.cols(); ++c) whiten(whitening, columns.col(c));
 }
 
 void add_shared_draws(const Whitening& whitening, std::uint64_t seed, std::uint32_t stream,

@@ -34,8 +34,8 @@ SharedScatter shared_scatter(std::vector<Eigen::Index> cells, Eigen::MatrixXd lo
 
 using Whitening = std::vector<SharedScatter>;
 
-void whiten(const Whitening& whitening, Eigen::Ref<Eigen::VectorXd> residuals);
-void whiten_columns(const Whitening& whitening, Eigen::MatrixXd& columns);
+// Each column by itself.
+void whiten(const Whitening& whitening, Eigen::Ref<Eigen::MatrixXd> columns);
 
 // Adds what mountings drawn at random do. Uses the numbers of the stream from `first` on.
 void add_shared_draws(const Whitening& whitening, std::uint64_t seed, std::uint32_t stream,

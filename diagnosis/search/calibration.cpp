@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "diagnosis/search/rivals.hpp"
+#include "diagnosis/fit/evidence.hpp"
 #include "numerics/student_t.hpp"
 
 namespace reeve::diagnosis {
@@ -87,7 +87,7 @@ std::vector<Calibration> calibrations(const Problem& problem, const Model& model
     found.p_value = std::min(1.0, chance * static_cast<double>(result.size()));
     const Fit pinned = fit(problem, without(model, place(model, found.effect)));
     found.gain = (pinned.misfit - now) / 2;
-    found.differs = found.p_value < alpha && found.gain >= alias_margin;
+    found.differs = found.p_value < alpha && found.gain >= least_evidence;
   }
   return result;
 }

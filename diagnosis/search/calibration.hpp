@@ -36,7 +36,8 @@ struct Calibration {
 };
 
 // Of each coefficient that the model has free. It differs from what the hardware says if that has a
-// chance below alpha, and gains more than other causes that cannot be told from it (alias_margin).
+// chance below alpha, and gains more than other causes that cannot be told from it
+// (least_evidence).
 std::vector<Calibration> calibrations(const Problem& problem, const Model& model,
                                       double mounting_degrees, double alpha);
 

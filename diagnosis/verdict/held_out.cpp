@@ -4,11 +4,14 @@
 #include <cmath>
 #include <map>
 
+#include "numerics/chi_squared.hpp"
 #include "numerics/random.hpp"
 #include "numerics/streams.hpp"
 
 namespace reeve::diagnosis {
 namespace {
+
+using Eigen::Index;
 
 constexpr std::size_t draws = 1000;
 // Of fewer there are too few different samples: three runs have ten.
@@ -69,11 +72,9 @@ double quantile(std::vector<double>& values, double share) {
 
 }  // namespace
 
-HeldOut held_out_gain(const Problem& held_out, const Model& before, const Model& after,
+HeldOut held_out_gain(const Problem& held_out, const Forecast& before, const Forecast& after,
                       std::uint64_t seed) {
-  const Forecast first = forecast(*held_out.dataset, before);
-  const Forecast second = forecast(*held_out.dataset, after);
-  const std::vector<Contribution> all = units(held_out, first, second);
+  const std::vector<Contribution> all = units(held_out, before, after);
   Contribution sum;
   for (const Contribution& unit : all) add(sum, unit);
   HeldOut result;
@@ -81,7 +82,7 @@ HeldOut held_out_gain(const Problem& held_out, const Model& before, const Model&
   result.rms_after_N = std::sqrt(sum.after / sum.cells);
   result.reduction = reduction(sum);
   result.log_likelihood_gain = sum.gain;
-  result.expected_gain = difference(held_out, second, first).squaredNorm() / 2;
+  result.expected_gain = difference(held_out, after, before).squaredNorm() / 2;
   std::vector<double> reductions, gains;
   for (std::size_t d = 0; d < draws; ++d) {
     Contribution drawn;
@@ -99,6 +100,43 @@ HeldOut held_out_gain(const Problem& held_out, const Model& before, const Model&
   result.gain_low = quantile(gains, 0.025);
   result.gain_high = quantile(gains, 0.975);
   return result;
+}
+
+NoiseLimit noise_limit(const Problem& held_out, const Forecast& before) {
+  const double misfit = residuals(held_out, before).squaredNorm();
+  const double degrees = held_out.dataset->degrees_of_freedom();
+  NoiseLimit limit;
+  limit.log_likelihood_gain = (misfit - degrees) / 2;
+  limit.low = (misfit - chi_squared_quantile(0.975, degrees)) / 2;
+  limit.high = (misfit - chi_squared_quantile(0.025, degrees)) / 2;
+  const auto cells = static_cast<double>(held_out.deviation_N.size());
+  limit.rms_N = std::sqrt(noise_variance(held_out, before).sum() / cells);
+  return limit;
+}
+
+std::vector<RunGain> run_gains(const Problem& held_out, const Forecast& before,
+                               const Forecast& after) {
+  const Dataset& dataset = *held_out.dataset;
+  const Eigen::VectorXd first = own_residuals(held_out, before);
+  const Eigen::VectorXd second = own_residuals(held_out, after);
+  const Eigen::VectorXd noise = noise_variance(held_out, after);
+  std::map<std::size_t, RunGain> by_run;
+  for (std::size_t i = 0; i < dataset.cells.size(); ++i) {
+    const auto k = static_cast<Index>(i);
+    const double sd = held_out.deviation_N[k];
+    RunGain& sum = by_run[dataset.data->readings[dataset.cells[i].reading].run];
+    sum.cells += 1;
+    sum.rms_before_N += std::pow(first[k] * sd, 2);
+    sum.rms_after_N += std::pow(second[k] * sd, 2);
+    sum.rms_noise_N += noise[k];
+  }
+  std::vector<RunGain> gains;
+  for (auto& [run, sum] : by_run) {
+    const auto cells = static_cast<double>(sum.cells);
+    gains.push_back({run, sum.cells, std::sqrt(sum.rms_before_N / cells),
+                     std::sqrt(sum.rms_after_N / cells), std::sqrt(sum.rms_noise_N / cells)});
+  }
+  return gains;
 }
 
 }  // namespace reeve::diagnosis

@@ -86,7 +86,7 @@ class Tests {
  private:
   void add(std::string about, MatrixXd columns, bool scan) {
     take_out_scales(columns);
-    whiten_columns(problem_.shared, columns);
+    whiten(problem_.shared, columns);
     projection_.take_out(columns);
     if (!scan) columns = orthonormal_basis(columns);
     if (scan) normalise_pairs(columns);

@@ -57,7 +57,7 @@ TEST_F(NamedEffects, AreReadForEveryCauseAndSubjectOfTheLibrary) {
 
 TEST_F(NamedEffects, AndTheirParametersAreInTheDocument) {
   const std::string document =
-      read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "simulate.md");
+      read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "model.md");
   for (const Cause* cause : cause_library()) {
     const std::size_t at = document.find("\n| `" + std::string(cause->name()));
     const std::size_t beside = document.find(", `" + std::string(cause->name()) + "`");

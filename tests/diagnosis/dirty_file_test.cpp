@@ -10,6 +10,7 @@
 #include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/planting.hpp"
 #include "tests/support/planting_dirt.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -47,6 +48,7 @@ TEST(DirtyFile, OfAnotherFormHasTheSameReadings) {
 }
 
 TEST(DirtyFile, IsDiagnosedAsTheCleanOne) {
+  SKIP_UNDER_SANITIZERS();
   const DiagnosisResult clean = diagnosis_of_file(clean_file());
   ASSERT_EQ(clean.verdict, Verdict::cause);
   for (const Dirt dirt : {Dirt::form, Dirt::copies}) {
@@ -67,6 +69,7 @@ TEST(DirtyFile, IsDiagnosedAsTheCleanOne) {
 // A sensor that reads 0 throughout has no noise: neither do the others seem surer by it, nor does
 // it look as if something went on along it.
 TEST(DirtyFile, WithADeadSensorHasThatBesideTheCause) {
+  SKIP_UNDER_SANITIZERS();
   MeasuredData data = read_data(clean_file());
   const auto T2 = std::find_if(data.channels.begin(), data.channels.end(),
                                [](const Channel& channel) { return channel.name == "T2"; });
@@ -89,6 +92,7 @@ TEST(DirtyFile, WithADeadSensorHasThatBesideTheCause) {
 
 // Sizes are of readings that weigh by how far out they are.
 TEST(DirtyFile, WithSpikesHasTheSameCause) {
+  SKIP_UNDER_SANITIZERS();
   const DiagnosisResult clean = diagnosis_of_file(clean_file());
   const DiagnosisResult dirty = diagnosis_of_file(dirtied(clean_file(), Dirt::spikes, 84));
   EXPECT_EQ(names_in(dirty), names_in(clean));

@@ -15,6 +15,7 @@
 #include "numerics/random.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/planting.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -162,6 +163,7 @@ TEST(Groups, OfOneRunNameAreSoManyRuns) {
 
 // One rig after the other, what differs between them looks like a drift of whatever it can.
 TEST(Groups, ThatDifferHaveNoCauseOfAllOfThem) {
+  SKIP_UNDER_SANITIZERS();
   MeasuredData data = by_winch({0.18}, {0.12}, 611);
   std::stable_sort(data.readings.begin(), data.readings.end(),
                    [](const Reading& a, const Reading& b) { return a.group < b.group; });
@@ -175,6 +177,7 @@ TEST(Groups, ThatDifferHaveNoCauseOfAllOfThem) {
 
 // Half of A's runs are called C: B stands out from both.
 TEST(Groups, AreComparedWithAllOthersTogether) {
+  SKIP_UNDER_SANITIZERS();
   MeasuredData three = by_winch({0.18}, {0.12}, 611);
   three.groups = {"A", "B", "C"};
   for (Reading& reading : three.readings) {

@@ -9,11 +9,16 @@
 namespace reeve::testing {
 namespace {
 
+HeldOut gain_of(const Bench& bench, const Model& later, std::uint64_t seed) {
+  return held_out_gain(bench.problem, forecast(bench.dataset, {}), forecast(bench.dataset, later),
+                       seed);
+}
+
 // Readings without noise, off by so much on T1 in each run.
 HeldOut gain_of(const std::vector<double>& offset_by_run, std::size_t rows, double size) {
   const Bench bench({offset_by_run.size(), rows, 1, 0},
                     [&](std::size_t run) { return Pattern{offset_by_run[run]}; });
-  return held_out_gain(bench.problem, {}, on_T1.model(size), 1);
+  return gain_of(bench, on_T1.model(size), 1);
 }
 
 // Two runs, off by 1 and by 2 N; the later model says 1.5 N. Three of four readings are never off.
@@ -74,9 +79,9 @@ TEST(HeldOutGain, HasTheIntervalOfTheMiddle95Percent) {
 TEST(HeldOutGain, IsDrawnByTheSeed) {
   const Bench bench({1}, {4, 6});
   const Model later = on_T1.model(0.9);
-  const HeldOut one = held_out_gain(bench.problem, {}, later, 1);
-  EXPECT_EQ(held_out_gain(bench.problem, {}, later, 1).gain_low, one.gain_low);
-  EXPECT_NE(held_out_gain(bench.problem, {}, later, 2).gain_low, one.gain_low);
+  const HeldOut one = gain_of(bench, later, 1);
+  EXPECT_EQ(gain_of(bench, later, 1).gain_low, one.gain_low);
+  EXPECT_NE(gain_of(bench, later, 2).gain_low, one.gain_low);
 }
 
 }  // namespace

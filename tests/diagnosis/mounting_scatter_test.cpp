@@ -12,7 +12,7 @@
 #include "diagnosis/fit/mounted_comparison.hpp"
 #include "diagnosis/fit/noise.hpp"
 #include "numerics/random.hpp"
-#include "tests/diagnosis/found_causes.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/planting.hpp"
 
 namespace reeve::testing {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "causes/library.hpp"
-#include "diagnosis/verdict/confirmation.hpp"
+#include "diagnosis/verdict/held_out.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
 
 namespace reeve::testing {
@@ -48,7 +48,7 @@ TEST(NoiseLimit, IsWhatTheTrueModelGains) {
     const MeasuredData data = readings(random);
     const Dataset part = all_of(data);
     const Problem held_out = problem(part, Eigen::VectorXd::Constant(2 * row_count, sd_N));
-    const NoiseLimit limit = noise_limit(held_out, Model{});
+    const NoiseLimit limit = noise_limit(held_out, forecast(part, Model{}));
     const double gain = (misfit(held_out, Model{}) - misfit(held_out, true_model())) / 2;
     gains += gain;
     limits += limit.log_likelihood_gain;
@@ -76,10 +76,11 @@ TEST(NoiseLimit, CountsOutWhatAFreeScaleTakes) {
     const Dataset part = all_of(data);
     const Problem held_out = problem(part, Eigen::VectorXd::Constant(2 * row_count, sd_N));
     squares += misfit(held_out, Model{}) * sd_N * sd_N / (2 * row_count);
-    const NoiseLimit limit = noise_limit(held_out, Model{});
+    const Forecast nominal = forecast(part, Model{});
+    const NoiseLimit limit = noise_limit(held_out, nominal);
     limits += limit.rms_N * limit.rms_N;
     EXPECT_NEAR(limit.rms_N, sd_N / std::numbers::sqrt2, 1e-12);
-    EXPECT_NEAR(run_gains(held_out, Model{}, Model{})[0].rms_noise_N, limit.rms_N, 1e-12);
+    EXPECT_NEAR(run_gains(held_out, nominal, nominal)[0].rms_noise_N, limit.rms_N, 1e-12);
   }
   // Of 3000 degrees of freedom in all: standard deviation 2.6 %.
   EXPECT_NEAR(squares, limits, 3 * 0.026 * limits);
@@ -90,7 +91,7 @@ TEST(RunGains, AreTheResidualsOfEachRun) {
   const MeasuredData data = readings(random);
   const Dataset part = all_of(data);
   const Problem held_out = problem(part, Eigen::VectorXd::Constant(2 * row_count, sd_N));
-  const auto gains = run_gains(held_out, Model{}, true_model());
+  const auto gains = run_gains(held_out, forecast(part, Model{}), forecast(part, true_model()));
   ASSERT_EQ(gains.size(), 2U);
   for (const RunGain& gain : gains) {
     double before = 0, after = 0, values = 0;

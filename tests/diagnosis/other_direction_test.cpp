@@ -11,6 +11,7 @@
 #include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/has.hpp"
 #include "tests/support/planting.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -79,6 +80,7 @@ TEST(TheOtherDirection, IsNotSeenWhereOtherRowsAreAsFarOff) {
 
 // Whatever else is wrong with the rig, with each kind of noise by turns.
 TEST(TheOtherDirection, IsNotSeenWhereItIsRight) {
+  SKIP_UNDER_SANITIZERS();
   std::uint64_t seed = 0;
   for (const EffectKind effect : library_effects()) {
     ++seed;

@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "causes/term.hpp"
 #include "diagnosis/diagnose.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/planting.hpp"
 #include "tests/support/planting_alias.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -46,6 +48,8 @@ Planted plant(const std::vector<EffectKind>& effects, std::uint64_t seed) {
 class PlantedCauses : public ::testing::TestWithParam<EffectKind> {};
 
 TEST_P(PlantedCauses, AreNamedAndNothingElseIs) {
+  if (has_sanitizer() && GetParam() != EffectKind::tube_friction)
+    GTEST_SKIP() << "slow; release runs each";
   const Planted planted = plant({GetParam()}, 51);
   const DiagnosisResult result = diagnosed_plant(planted.csv);
   EXPECT_EQ(named(result), hidden(planted));
@@ -57,18 +61,34 @@ TEST_P(PlantedCauses, AreNamedAndNothingElseIs) {
 INSTANTIATE_TEST_SUITE_P(Each, PlantedCauses, ::testing::ValuesIn(library_effects()),
                          [](const auto& kind) { return std::string(planted_name(kind.param)); });
 
-class PlantedUnknowns : public ::testing::TestWithParam<EffectKind> {};
-
-TEST_P(PlantedUnknowns, AreUnexplained) {
-  EXPECT_EQ(diagnosed_plant(plant({GetParam()}, 52).csv).verdict, Verdict::unexplained);
+TEST(PlantedUnknowns, AreLawsOfTheOrderOfReadings) {
+  const auto of = [](EffectKind kind) { return diagnosed_plant(plant({kind}, 52).csv); };
+  for (const EffectKind kind : {EffectKind::drift, EffectKind::wave}) {
+    const DiagnosisResult result = of(kind);
+    ASSERT_EQ(result.causes.size(), 1U);
+    const causes::Term* law = causes::term_of(*result.causes[0].effect.cause);
+    ASSERT_NE(law, nullptr);
+    EXPECT_EQ(causes::covariate_name(law->x), "order");
+    EXPECT_EQ(law->target, causes::Target::gain);
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, PlantedUnknowns, ::testing::ValuesIn(unknown_effects()),
-                         [](const auto& kind) { return std::string(planted_name(kind.param)); });
+// Every sensor hears its neighbours, which the library knows of one alone: others stand in for it,
+// and unseen runs are forecast better by them.
+TEST(PlantedUnknowns, OfAllSensorsCrossTalkIsApproached) {
+  SKIP_UNDER_SANITIZERS();
+  const DiagnosisResult result = diagnosed_plant(plant({EffectKind::crosstalk}, 52).csv);
+  ASSERT_TRUE(result.held_out.has_value());
+  EXPECT_LT(result.held_out->rms_after_N, 0.8 * result.held_out->rms_before_N);
+  const std::vector<std::string> names = named(result);
+  EXPECT_TRUE(std::any_of(names.begin(), names.end(),
+                          [](const std::string& name) { return name.starts_with("cross_talk"); }));
+}
 
 // With some 4 % of false alarms of any kind (docs/diagnosis.md) more than one in 8 data sets has a
 // chance of 0.04.
 TEST(PlantedNothing, IsNothingFound) {
+  SKIP_UNDER_SANITIZERS();
   int alarms = 0;
   for (std::uint64_t seed = 53; seed <= 60; ++seed) {
     const DiagnosisResult result = diagnosed_plant(plant({}, seed).csv);
@@ -79,13 +99,15 @@ TEST(PlantedNothing, IsNothingFound) {
 }
 
 TEST(PlantedPairs, AreBothNamed) {
+  SKIP_UNDER_SANITIZERS();
   const Planted planted =
       plant({EffectKind::sheath_friction, EffectKind::load_dependent_friction}, 57);
   EXPECT_EQ(named(diagnosed_plant(planted.csv)), hidden(planted));
 }
 
 TEST(PlantedAliases, AreIndistinguishableUntilTheSeparatingRowsAreThere) {
-  const PlantedAlias planted = plant_alias(AliasKind::speed_or_temperature, low_noise, 58);
+  SKIP_UNDER_SANITIZERS();
+  const PlantedAlias planted = plant_alias(AliasKind::gain_or_offset, low_noise, 58);
   const DiagnosisResult equivalent = diagnosed_plant(planted.aliased.csv);
   EXPECT_EQ(equivalent.verdict, Verdict::indistinguishable);
   ASSERT_FALSE(equivalent.indistinguishable.empty());

@@ -10,6 +10,7 @@
 #include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/planting.hpp"
 #include "tests/support/planting_dirt.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -85,6 +86,7 @@ TEST(InOrderOfContents, TakesNoiseAndSegmentsWithTheirChannels) {
 }
 
 TEST(InOrderOfContents, MakesRunsHeldOutAndNoiseThatIsDrawnTheSame) {
+  SKIP_UNDER_SANITIZERS();
   PlantingPlan plan;
   plan.effects = {EffectKind::sensor_gain};
   const std::string csv = plant(plan, 81).csv;

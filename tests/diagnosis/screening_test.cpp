@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "diagnosis/search/screened_causes.hpp"
+#include "diagnosis/search/cause_screening.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
 
 namespace reeve::testing {
@@ -32,16 +32,21 @@ struct Seen {
   Bench bench;
   Workers workers{1};
   std::vector<Candidate> candidates;
-  Model model;
-  ScreenedCauses screened;
+  std::vector<ScreenedCause> screened;  // parallel to the candidates
 
-  Seen(double offset_N, std::vector<Candidate> among, Model before = {})
-      : bench({offset_N, 0.2}, {5, 6, 1, 0}),
-        candidates(std::move(among)),
-        model(std::move(before)),
-        screened(bench.problem, model, candidates, workers) {}
+  Seen(double offset_N, std::vector<Candidate> among, const Model& model = {})
+      : bench({offset_N, 0.2}, {5, 6, 1, 0}), candidates(std::move(among)) {
+    const Forecast at = forecast(bench.dataset, model);
+    const Projection projection(bench.problem, model, at);
+    const CauseScreening screening(bench.dataset, model, at, candidates, workers);
+    screened.resize(candidates.size());
+    for (const ScreenedCause& cause :
+         screening.run(bench.problem, at, projection, residuals(bench.problem, at))) {
+      screened[cause.candidate] = cause;
+    }
+  }
 
-  std::vector<double> gains() const { return screened.screening().gains(screened.residuals()); }
+  double gain(std::size_t candidate) const { return screened[candidate].gain; }
 };
 
 // 30 readings of each strand: |e|² = 30 (x² + 4²), of which an offset on T1 takes 30 x².
@@ -52,25 +57,24 @@ double gain(double x, double taken) {
 
 TEST(Screening, GivesTheGainOfTheFirstOrderAtTheNoiseThatIsSeen) {
   const Seen seen(0.1, {on_T1.candidate(), on_T2.candidate()});
-  EXPECT_NEAR(seen.gains()[0], gain(2, 30 * 4), 1e-3);
-  EXPECT_NEAR(seen.gains()[1], gain(2, 30 * 16), 1e-3);
-  EXPECT_EQ(seen.screened.screening().greatest_gain(seen.screened.residuals()), seen.gains()[1]);
+  EXPECT_NEAR(seen.gain(0), gain(2, 30 * 4), 1e-3);
+  EXPECT_NEAR(seen.gain(1), gain(2, 30 * 16), 1e-3);
 }
 
 TEST(Screening, GivesNothingToASizeThatTheCauseCannotHave) {
   const Seen more(0.1, {only_more.candidate(), only_less.candidate()});
-  EXPECT_GT(more.gains()[0], 5);
-  EXPECT_EQ(more.gains()[1], 0);
+  EXPECT_GT(more.gain(0), 5);
+  EXPECT_EQ(more.gain(1), 0);
   const Seen less(-0.1, {only_more.candidate(), only_less.candidate()});
-  EXPECT_EQ(less.gains()[0], 0);
-  EXPECT_GT(less.gains()[1], 5);
+  EXPECT_EQ(less.gain(0), 0);
+  EXPECT_GT(less.gain(1), 5);
 }
 
 // d·e − |d|²/2 with d = 10 and e = x: nothing up to x = 5, 30 (100 - 50) at x = 10.
 TEST(Screening, TakesACauseWithoutSizeAsAWhole) {
-  EXPECT_EQ(Seen(0.2, {half_candidate}).gains()[0], 0);
-  EXPECT_NEAR(Seen(0.5, {half_candidate}).gains()[0], gain(10, 2 * 30 * 50), 1e-3);
-  EXPECT_NEAR(Seen(0.3, {half_candidate}).gains()[0], gain(6, 2 * 30 * (60 - 50)), 1e-3);
+  EXPECT_EQ(Seen(0.2, {half_candidate}).gain(0), 0);
+  EXPECT_NEAR(Seen(0.5, {half_candidate}).gain(0), gain(10, 2 * 30 * 50), 1e-3);
+  EXPECT_NEAR(Seen(0.3, {half_candidate}).gain(0), gain(6, 2 * 30 * (60 - 50)), 1e-3);
 }
 
 TEST(Screening, TakesOutWhatTheModelsParametersExplain) {
@@ -78,19 +82,17 @@ TEST(Screening, TakesOutWhatTheModelsParametersExplain) {
   // Beside an offset on T2, "both" is an offset on T1.
   const Seen seen(0.1, {both.candidate()}, on_T2.model(0.2));
   const double all = 30 * 4;
-  EXPECT_GT(seen.gains()[0], 119.0 / 2 * std::log(all / 1e-6));
+  EXPECT_GT(seen.gain(0), 119.0 / 2 * std::log(all / 1e-6));
 }
 
 TEST(Screening, StartsAFitAtTheSizeOfTheFirstOrderWithinTheRange) {
   const PatternCause small("small", {1}, {0, 0.06});
   const Seen seen(0.1, {on_T1.candidate(), small.candidate(), half_candidate});
-  const auto starts = [&](std::size_t candidate) {
-    return seen.screened.screening().starts(candidate, seen.screened.residuals());
-  };
-  ASSERT_EQ(starts(0).size(), 3U);
+  const auto starts = [&](std::size_t candidate) { return seen.screened[candidate].starts; };
+  ASSERT_EQ(starts(0).size(), 2U);
   EXPECT_NEAR(starts(0)[0][0], 0.1, 1e-6);
   EXPECT_EQ(starts(1)[0][0], 0.06);
-  EXPECT_EQ(starts(2), std::vector<std::vector<double>>{{}});
+  EXPECT_TRUE(starts(2).empty());  // as a whole it gains nothing
 }
 
 TEST(GainFromMisfits, IsNothingWhereNothingIsGained) {
@@ -99,37 +101,6 @@ TEST(GainFromMisfits, IsNothingWhereNothingIsGained) {
   EXPECT_EQ(gain_from_misfits(0, 0, 5), 0);
   EXPECT_NEAR(gain_from_misfits(10, 5, 6), 3 * std::log(2), 1e-12);
   EXPECT_TRUE(std::isfinite(gain_from_misfits(10, 0, 6)));
-}
-
-// Of three that gain, the two that gain most; with the laws of friction, these in any case.
-TEST(ScreenedCauses, HasTheGreatestGainsAndTheLawsOfFrictionAmongItsContenders) {
-  const PatternCause weak("weak", {0.05, 1, 1});
-  Bench bench({0.1, 0.2}, {5, 6, 1, 0});
-  std::vector<Candidate> among;
-  for (const Candidate& candidate : candidates(survey(bench.data), {})) {
-    if (candidate.name == "tube_friction") among.push_back(candidate);
-  }
-  ASSERT_EQ(among.size(), 1U);
-  for (const PatternCause* cause : {&on_T1, &on_T2, &on_T3, &weak}) {
-    among.push_back(cause->candidate());
-  }
-  Workers workers(1);
-  const Model model;
-  const ScreenedCauses screened(bench.problem, model, among, workers);
-  const std::vector<double> gains = screened.screening().gains(screened.residuals());
-  const auto two = screened.contenders(2, ScreenedCauses::Laws::by_gain);
-  ASSERT_EQ(two.size(), 2U);
-  EXPECT_EQ(two[0], 2U);  // on_T2
-  EXPECT_GE(gains[two[0]], gains[two[1]]);
-  const auto none = screened.contenders(0, ScreenedCauses::Laws::by_gain);
-  EXPECT_TRUE(none.empty());
-  EXPECT_EQ(screened.contenders(0, ScreenedCauses::Laws::always), std::vector<std::size_t>{0});
-}
-
-TEST(ScreenedCauses, LooksAtWhatTheModelDoesNotHave) {
-  const Seen seen(0.1, {on_T1.candidate(), on_T2.candidate()}, on_T2.model(0.2));
-  ASSERT_EQ(seen.screened.candidates().size(), 1U);
-  EXPECT_EQ(seen.screened.candidates()[0].name, "on_T1");
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ MatrixXd covariance() {
 TEST(Whitening, MakesResidualsIndependent) {
   MatrixXd root = MatrixXd::Identity(6, 6);
   const Whitening whitening = of_four_cells();
-  whiten_columns(whitening, root);
+  whiten(whitening, root);
   EXPECT_LT((root * covariance() * root.transpose() - MatrixXd::Identity(6, 6)).norm(), 1e-10);
 }
 

@@ -54,6 +54,29 @@ TEST(UnitsOfASensorThatReadsNothing, AreNotAskedFor) {
   EXPECT_EQ(unit_notes("A,TR5,20,0.03\nA,TR5,25,0.02\nA,TR5,22,0.03\nA,TR5,22,-0.03\n"), 1U);
 }
 
+TEST(ARunInWhichNoSensorSaysAnything, IsLeftOutAndNoted) {
+  const std::string read = "A,TR5,,20,4,10,1\nA,TR5,,30,6,15,1\n";
+  const auto data = [&](const std::string& rows) { return read_data(notes_header + read + rows); };
+  const auto silent = [&](const std::string& rows) {
+    return noted_lines(data(rows).notes, NoteKind::silent_run);
+  };
+  EXPECT_EQ(silent("B,TR5,,20,,,1\nB,TR5,,30,,,1\n"), (Lines{4, 5}));
+  EXPECT_EQ(silent("B,TR5,,20,0,0,1\nB,TR5,,30,0,0,1\n"), (Lines{4, 5}));
+  // At loads at which strands may be slack, or where one sensor of the run reads.
+  EXPECT_EQ(silent("B,TR5,,1,0,0,1\nB,TR5,,2,0,0,1\n"), Lines{});
+  EXPECT_EQ(silent("B,TR5,,20,0,0,1\nB,TR5,,30,0,9,1\n"), Lines{});
+  const MeasuredData left = data("B,TR5,,20,,,1\nC,TR5,,20,4,10,1\n");
+  EXPECT_EQ(left.runs, (std::vector<std::string>{"A", "C"}));
+  ASSERT_EQ(left.readings.size(), 3U);
+  EXPECT_EQ(left.readings.back().run, 1U);
+}
+
+// One row of a run that has others is a fault of the file.
+TEST(ARowWithoutATension, IsRefusedBesideOthersOfItsRun) {
+  EXPECT_THROW(read_data(notes_header + "A,TR5,,20,4,10,1\nA,TR5,,30,,,1\n"), InputError);
+  EXPECT_THROW(read_data(notes_header + "A,TR5,,20,,,1\nB,TR5,,30,,,1\n"), InputError);
+}
+
 TEST(ColumnsAndCommentsThatAreNoReadings, AreNoted) {
   const MeasuredData data =
       read_data("# source\n" + notes_header + "A,TR5,,20,4,10,1\n#A,TR5,,20,5,10,1\n");

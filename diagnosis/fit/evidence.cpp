@@ -1,0 +1,347 @@
+#include "diagnosis/fit/evidence.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "diagnosis/fit/left_noise.hpp"
+#include "diagnosis/fit/scatter_fit.hpp"
+
+namespace reeve::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double least_fitted_scale = 1e-9;
+constexpr std::array mounting_levels{3.0, 1.0, 0.3, 0.05};
+constexpr std::array motor_levels{0.0, 1.0, 5.0};
+
+double median_size(VectorXd values) {
+  if (values.size() == 0) return 0;
+  values = values.cwiseAbs();
+  const Index middle = values.size() / 2;
+  std::nth_element(values.begin(), values.begin() + middle, values.end());
+  return values[middle];
+}
+
+// Of rows with several readings, which alone tell a motor tension's scatter from that of readings.
+bool tells_of_motor(const Dataset& dataset) {
+  const auto tells = [](const DatasetRow& row) {
+    return row.has_motor_tension && row.motor_deviation_N == 0 && row.last - row.first > 1;
+  };
+  return std::any_of(dataset.rows.begin(), dataset.rows.end(), tells);
+}
+
+void set_motor_scatter(Problem& problem, double relative) {
+  const auto& rows = problem.dataset->rows;
+  if (problem.motor_deviation_N.size() == 0) {
+    problem.motor_deviation_N = VectorXd::Zero(static_cast<Index>(rows.size()));
+  }
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    if (!rows[r].has_motor_tension || rows[r].motor_deviation_N > 0) continue;
+    problem.motor_deviation_N[static_cast<Index>(r)] =
+        relative * rows[r].conditions.motor_tension_N;
+  }
+}
+
+// All scatter is the motor tension's.
+void set_motor_as_response(Problem& problem, double motor_deviation_N, const Forecast& reference) {
+  constexpr double left_to_readings = 0.05;
+  const auto& rows = problem.dataset->rows;
+  problem.motor_deviation_N =
+      VectorXd::Constant(static_cast<Index>(rows.size()), motor_deviation_N);
+  const double least_N = least_absolute(*problem.dataset) * left_to_readings;
+  problem.deviation_N =
+      (left_to_readings * motor_deviation_N * reference.by_scale.cwiseAbs()).cwiseMax(least_N);
+}
+
+// ln det of what motor tensions share, by the forecasts of the reference: a model does not become
+// likelier by making its readings depend less on the motor.
+double motor_log_determinant(const Problem& problem, const Forecast& reference) {
+  double sum = 0;
+  if (problem.motor_deviation_N.size() == 0) return 0;
+  for (std::size_t r = 0; r < problem.dataset->rows.size(); ++r) {
+    const DatasetRow& row = problem.dataset->rows[r];
+    const double deviation_N = problem.motor_deviation_N[static_cast<Index>(r)];
+    if (!row.has_motor_tension || deviation_N == 0) continue;
+    const auto first = static_cast<Index>(row.first);
+    const auto size = static_cast<Index>(row.last - row.first);
+    const VectorXd along = reference.by_scale.segment(first, size)
+                               .cwiseQuotient(problem.deviation_N.segment(first, size));
+    sum += std::log1p(deviation_N * deviation_N * along.squaredNorm());
+  }
+  return sum;
+}
+
+bool is_fitted(const MountingScatter& mounting, std::size_t kind) {
+  return !mounting.given && is_told(mounting, static_cast<Mounted>(kind));
+}
+
+bool is_fitted_in_all(const MountingScatter& mounting) {
+  for (std::size_t k = 0; k < mounted_kinds; ++k) {
+    if (mounting.present[k] && !is_fitted(mounting, k)) return false;
+  }
+  return true;
+}
+
+// No more than is believed of mountings.
+//
+// In units of s0, as all scatter: what somebody said, and what is assumed since no readings tell
+// it, does not grow with s0.
+MountedScatter scatter_at(const ScatterShape& shape, const ScatterLevel& level, double scale) {
+  const MountingScatter& mounting = shape.scatter.mounting;
+  MountedScatter scatter = mounting.relative;
+  for (std::size_t k = 0; k < mounted_kinds; ++k) {
+    if (!is_fitted(mounting, k)) {
+      scatter[k] /= scale;
+      continue;
+    }
+    scatter[k] *= level.mounting;
+    scatter[k] = std::min(scatter[k], most_believed_scatter * assumed_scatter[k]);
+  }
+  return scatter;
+}
+
+double log_prior(const MountingScatter& mounting, const MountedScatter& scatter) {
+  if (mounting.given) return 0;
+  double sum = 0;
+  for (std::size_t k = 0; k < mounted_kinds; ++k) {
+    if (!mounting.present[k] || !(scatter[k] > 0)) continue;
+    const double ratio = scatter[k] / assumed_scatter[k];
+    sum += std::log(ratio) + 1 - ratio;
+  }
+  return sum;
+}
+
+// Of set readings, whose rows have one each.
+void spread_motor(Problem& problem, const VectorXd& beyond) {
+  for (std::size_t r = 0; r < problem.dataset->rows.size(); ++r) {
+    const auto cell = static_cast<Index>(problem.dataset->rows[r].first);
+    problem.motor_deviation_N[static_cast<Index>(r)] *= beyond[cell];
+    problem.deviation_N[cell] *= beyond[cell];
+  }
+}
+
+}  // namespace
+
+std::optional<SetReadings> set_readings(const Dataset& dataset) {
+  constexpr double wide = 30;  // of the median step from one reading to the next
+  constexpr std::size_t few = 3;
+  constexpr double followed = 0.5;
+  struct Pair {
+    double reading_N;
+    double motor_N;
+    std::size_t run;
+  };
+  double within_square = 0, within = 0, between_square = 0, between = 0;
+  double of_readings = 0, of_motor = 0;  // squares of relative differences within clusters
+  std::map<std::size_t, std::set<std::size_t>> clusters_of_run;
+  std::size_t clusters = 0;
+  std::size_t most_of_a_block = 0;
+  double degrees = 0;
+  for (const ReadingBlock& block : dataset.blocks) {
+    std::vector<Pair> pairs;
+    for (const std::size_t r : block.rows) {
+      const DatasetRow& row = dataset.rows[r];
+      if (!row.has_motor_tension || row.motor_deviation_N > 0 || row.last - row.first != 1) {
+        return std::nullopt;
+      }
+      pairs.push_back({dataset.cells[row.first].measured_N, row.conditions.motor_tension_N,
+                       dataset.data->readings[row.reading].run});
+    }
+    std::sort(pairs.begin(), pairs.end(),
+              [](const Pair& a, const Pair& b) { return a.reading_N < b.reading_N; });
+    VectorXd steps(std::max<Index>(static_cast<Index>(pairs.size()) - 1, 0));
+    for (Index i = 0; i < steps.size(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      steps[i] = pairs[k + 1].reading_N - pairs[k].reading_N;
+    }
+    const double gap = wide * median_size(steps);
+    Pair all{0, 0, 0};
+    for (const Pair& pair : pairs) {
+      all.reading_N += pair.reading_N / static_cast<double>(pairs.size());
+      all.motor_N += pair.motor_N / static_cast<double>(pairs.size());
+    }
+    const std::size_t clusters_before = clusters;
+    for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
+      for (end = begin + 1; end < pairs.size(); ++end) {
+        if (pairs[end].reading_N - pairs[end - 1].reading_N > gap) break;
+      }
+      if (end - begin < few) continue;
+      ++clusters;
+      degrees += static_cast<double>(end - begin - 1);
+      const auto size = static_cast<double>(end - begin);
+      Pair own{0, 0, 0};
+      for (std::size_t i = begin; i < end; ++i) {
+        own.reading_N += pairs[i].reading_N / size;
+        own.motor_N += pairs[i].motor_N / size;
+      }
+      for (std::size_t i = begin; i < end; ++i) {
+        const double motor = pairs[i].motor_N - own.motor_N;
+        const double reading = pairs[i].reading_N - own.reading_N;
+        within_square += motor * motor;
+        within += motor * reading;
+        of_readings += std::pow(reading / own.reading_N, 2);
+        of_motor += std::pow(motor / own.motor_N, 2);
+        clusters_of_run[pairs[i].run].insert(clusters);
+      }
+      const double motor = own.motor_N - all.motor_N;
+      between_square += size * motor * motor;
+      between += size * motor * (own.reading_N - all.reading_N);
+    }
+    most_of_a_block = std::max(most_of_a_block, clusters - clusters_before);
+  }
+  const bool several = most_of_a_block >= few;
+  constexpr double exact = 1e-3;
+  if (clusters == 0 || !(of_motor > of_readings)) return std::nullopt;
+  const bool follows = !several || !(between_square > 0) ||
+                       within / within_square >= followed * between / between_square;
+  if (follows && of_readings > exact * exact * of_motor) return std::nullopt;
+  const bool one_of_each_run = std::all_of(clusters_of_run.begin(), clusters_of_run.end(),
+                                           [](const auto& of) { return of.second.size() == 1; });
+  return SetReadings{std::sqrt(within_square / degrees), one_of_each_run, several};
+}
+
+ScatterShape scatter_shape(const Dataset& dataset, const Model& reference,
+                           std::optional<double> given, Workers& workers) {
+  // Of repeats, whose noise is known to some 10 %.
+  constexpr double surely = 0.8;
+  constexpr std::size_t few_mountings = 4;
+  ScatterShape shape;
+  const Forecast at = forecast(dataset, reference);
+  shape.modes = mounting_modes(dataset, reference, workers);
+  const auto measured = noise_without_model(dataset);
+  const auto within = noise_left_within_mountings(dataset, reference, shape.modes);
+  Noise& noise = shape.scatter.noise;
+  if (within) {
+    noise = *within;
+  } else if (measured) {
+    noise = *measured;
+  } else {
+    noise = noise_left_by(dataset, reference);
+  }
+  noise.tail_degrees = 0;
+  shape.knows_mountings = within || (measured && measured->within_mountings) ||
+                          mountings(dataset).size() < few_mountings;
+  const VectorXd deviation_N = deviations_if_near(dataset, noise, at.reading_N);
+  if (measured && measured->source == NoiseSource::repeats) {
+    const VectorXd repeated_N = deviations_if_near(dataset, *measured, at.reading_N);
+    shape.least_scale = surely * median_size(repeated_N.cwiseQuotient(deviation_N));
+  }
+  if (noise.source == NoiseSource::known) shape.least_scale = shape.most_scale = 1;
+  Problem plain = problem(dataset, deviation_N);
+  settle_motor_deviations(plain, at);
+  const std::optional<SetReadings> set = set_readings(dataset);
+  if (set) shape.set_motor_N = set->motor_N;
+  if (set && set->one_of_each_run) shape.knows_mountings = false;
+  if (shape.knows_mountings) {
+    shape.scatter.mounting = believed(mounting_scatter(plain, at, shape.modes, given));
+  }
+  shape.reference = at;
+  shape.motor_relative =
+      median_size(deviation_N.cwiseQuotient(at.reading_N.cwiseAbs().cwiseMax(deviation_N)));
+  const bool has_mountings =
+      shape.knows_mountings && !given && shape.scatter.mounting.mounted_again > 0;
+  for (const double mounting : mounting_levels) {
+    if (mounting != 1 && !has_mountings) continue;
+    for (const double motor : motor_levels) {
+      if (motor != 0 && !tells_of_motor(dataset)) continue;
+      shape.levels.push_back({mounting, motor});
+    }
+  }
+  return shape;
+}
+
+namespace {
+
+// Where s0 is about this.
+Likelihood seen_at(const Dataset& dataset, const ScatterShape& shape, const Forecast& at,
+                   const ScatterLevel& level, double scale) {
+  VectorXd deviation_N = deviations_if_near(dataset, shape.scatter.noise, at.reading_N);
+  const MountedScatter scatter = scatter_at(shape, level, scale);
+  const auto seen = [&] {
+    Problem result = problem(dataset, deviation_N);
+    if (level.motor > 0) set_motor_scatter(result, level.motor * shape.motor_relative);
+    if (shape.set_motor_N) set_motor_as_response(result, *shape.set_motor_N, shape.reference);
+    settle_motor_deviations(result, at);
+    share_scatter(result, shape.modes, scatter, at);
+    return result;
+  };
+  Likelihood result;
+  result.level = level;
+  result.problem = seen();
+  VectorXd left = residuals(result.problem, at);
+  constexpr double of_normal = 0.6745;
+  const double middle = std::max(median_size(left) / of_normal, least_fitted_scale);
+  const VectorXd beyond = (left.cwiseAbs() / (outlying * middle)).cwiseMax(1);
+  if (beyond.maxCoeff() > 1) {
+    deviation_N = deviation_N.cwiseProduct(beyond);
+    result.problem = seen();
+    if (shape.set_motor_N) spread_motor(result.problem, beyond);
+    left = residuals(result.problem, at);
+  }
+  const double degrees = std::max(dataset.degrees_of_freedom(), 1.0);
+  result.scale = std::sqrt(left.squaredNorm() / degrees);
+  result.scale = std::max({result.scale, shape.least_scale, least_fitted_scale});
+  if (shape.most_scale > 0) result.scale = std::min(result.scale, shape.most_scale);
+  const double determinant =
+      log_determinant(result.problem) + motor_log_determinant(result.problem, shape.reference);
+  result.value = -degrees * std::log(result.scale) -
+                 left.squaredNorm() / (2 * result.scale * result.scale) - determinant / 2 +
+                 log_prior(shape.scatter.mounting, scatter);
+  result.problem.deviation_N *= result.scale;
+  result.problem.motor_deviation_N *= result.scale;
+  return result;
+}
+
+}  // namespace
+
+Likelihood likelihood(const Dataset& dataset, const ScatterShape& shape, const Forecast& at,
+                      const ScatterLevel& level) {
+  Likelihood first = seen_at(dataset, shape, at, level, 1);
+  if (is_fitted_in_all(shape.scatter.mounting)) return first;
+  return seen_at(dataset, shape, at, level, first.scale);
+}
+
+Likelihood likelihood(const Dataset& dataset, const ScatterShape& shape, const Forecast& at) {
+  Likelihood best;
+  best.value = -std::numeric_limits<double>::infinity();
+  const auto see = [&](const ScatterLevel& level) {
+    Likelihood here = likelihood(dataset, shape, at, level);
+    if (here.value > best.value || best.problem.dataset == nullptr) best = std::move(here);
+  };
+  // First the mountings, then the motor beside what is likeliest of them.
+  for (const ScatterLevel& level : shape.levels) {
+    if (level.motor == 0) see(level);
+  }
+  const double mounting = best.level.mounting;
+  for (const ScatterLevel& level : shape.levels) {
+    if (level.motor != 0 && level.mounting == mounting) see(level);
+  }
+  return best;
+}
+
+double robust_misfit(const VectorXd& residuals) {
+  double sum = 0;
+  for (const double e : residuals) {
+    const double beyond = std::max(std::abs(e) / outlying, 1.0);
+    sum += std::pow(e / beyond, 2) + 2 * outlying * outlying * std::log(beyond);
+  }
+  return sum;
+}
+
+Scatter fitted_scatter(const ScatterShape& shape, const Likelihood& likelihood) {
+  Scatter scatter = shape.scatter;
+  scatter.noise.relative *= likelihood.scale;
+  scatter.noise.absolute_N *= likelihood.scale;
+  scatter.mounting.relative = scatter_at(shape, likelihood.level, likelihood.scale);
+  for (double& tau : scatter.mounting.relative) tau *= likelihood.scale;
+  return scatter;
+}
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,63 @@
+// Every cause of the library screened to first order against what a model leaves.
+//
+// A cause with a size changes the forecasts along its sensitivity q (whitened, parameters of the
+// model projected out); the residuals e give it
+//
+//   size = q·e / |q|²,   gain in log-likelihood = (q·e)² / 2|q|²
+//
+// if that size has a sign that the cause can have. A cause without size changes them by d as a
+// whole: gain = d·e − |d|²/2. Gains are then taken at the noise that the residuals themselves
+// show: G = (ν/2) ln(|e|² / (|e|² − 2 gain)), with ν degrees of freedom.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/fit/null_model.hpp"
+#include "diagnosis/search/candidates.hpp"
+#include "numerics/parallel.hpp"
+
+namespace reeve::diagnosis {
+
+// n/2 ln of the ratio of misfits; 0 if the misfit does not fall.
+double gain_from_misfits(double before, double after, double degrees_of_freedom);
+
+struct ScreenedCause {
+  std::size_t candidate = 0;
+  double gain = 0;
+  std::vector<std::vector<double>> starts;  // of a fit: the size of the first order, for each shape
+};
+
+class CauseScreening {
+ public:
+  // Columns of all readings; parts of them are screened by these, too. The candidates must outlive
+  // it.
+  CauseScreening(const Dataset& dataset, const Model& model, const Forecast& at,
+                 const std::vector<Candidate>& candidates, Workers& workers);
+
+  // Those that gain, the greatest gain first. The problem is of some of the readings.
+  std::vector<ScreenedCause> run(const Problem& problem, const Forecast& at,
+                                 const Projection& projection,
+                                 const Eigen::VectorXd& residuals) const;
+
+ private:
+  // A column of the matrix: one candidate with one shape.
+  struct Probe {
+    std::size_t candidate = 0;
+    std::vector<double> values;
+  };
+
+  bool has_size(const Probe& probe) const { return candidates_[probe.candidate].has_size(); }
+  double raw_gain(const Probe& probe, double along, double square) const;
+  void add_starts(const Probe& probe, double size, ScreenedCause& to) const;
+
+  const std::vector<Candidate>& candidates_;
+  std::vector<Probe> probes_;
+  Eigen::MatrixXd columns_N_;
+  std::vector<std::size_t> reading_of_row_;
+  std::vector<std::size_t> first_cell_;  // of each row
+};
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,735 @@
+#include "diagnosis/search/law_screening.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "causes/term.hpp"
+#include "diagnosis/fit/evidence.hpp"
+#include "diagnosis/search/cause_screening.hpp"
+#include "numerics/matrices.hpp"
+
+namespace reeve::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// In nats.
+constexpr double price_of_law = 1;  // beside what the library has a name for
+constexpr double price_of_bend = 2;
+constexpr double price_of_product = 2;
+constexpr double price_of_place = 3;
+constexpr double price_of_apart = 4;
+constexpr double price_of_part = 1;
+
+constexpr std::size_t enough_values = 8;  // for a wave
+constexpr int most_waves = 28;            // half periods over the range
+constexpr std::size_t most_bent = 8;      // sites and covariates whose bends are looked at
+constexpr std::size_t most_knots = 12;
+
+}  // namespace
+
+// The families of one lever's columns, seen from one problem.
+class LawFamilies {
+ public:
+  LawFamilies(const LawScreening& screening, const Problem& problem, const Forecast& at,
+              const Projection& projection, const VectorXd& residuals)
+      : screening_(screening),
+        problem_(problem),
+        at_(at),
+        projection_(projection),
+        residuals_(residuals),
+        are_set_(set_readings(*problem.dataset).has_value()),
+        before_(residuals.squaredNorm()),
+        degrees_(projection.degrees_of_freedom()) {
+    std::map<std::size_t, std::size_t> place;
+    for (std::size_t r = 0; r < screening.reading_of_row_.size(); ++r) {
+      place[screening.reading_of_row_[r]] = r;
+    }
+    for (const DatasetRow& row : problem.dataset->rows) {
+      const std::size_t whole = place.at(row.reading);
+      rows_.push_back(whole);
+      for (std::size_t i = row.first; i < row.last; ++i) {
+        row_of_cell_.push_back(whole);
+        cells_.push_back(static_cast<Index>(screening.first_cell_[whole] + (i - row.first)));
+      }
+    }
+    for (const std::size_t row : rows_) {
+      runs_.insert(screening.run_of_row_[row]);
+      const std::size_t group = screening.group_of_row_[row];
+      if (group < screening.groups_.size()) groups_.insert(group);
+    }
+  }
+
+  std::vector<ScreenedLaw> run(std::size_t most) {
+    list_laws();
+    for (std::size_t l = 0; l < screening_.levers_.size(); ++l) screen_straight(l);
+    screen_bent();
+    std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
+      return a.law.evidence > b.law.evidence;
+    });
+    std::vector<const Found*> plain(screening_.levers_.size(), nullptr);
+    for (const Found& found : found_) {
+      if (found.kind == constant_kind && plain[found.lever] == nullptr) plain[found.lever] = &found;
+    }
+    std::vector<ScreenedLaw> result;
+    std::set<std::pair<std::size_t, std::size_t>> seen;
+    for (const Found& found : found_) {
+      if (result.size() >= most) break;
+      if (!seen.insert({found.lever, found.kind}).second) continue;
+      result.push_back(found.law);
+      // Beside what follows something, the same without it.
+      const Found* constant = plain[found.lever];
+      if (constant != nullptr && seen.insert({found.lever, constant_kind}).second) {
+        result.push_back(constant->law);
+      }
+    }
+    return result;
+  }
+
+ private:
+  struct RowLaw {
+    Form form = Form::constant;
+    std::size_t x = 0;
+    std::size_t y = 0;
+    double shape = 0;          // of a product: whether y is taken by its logarithm
+    bool logarithmic = false;  // of a wave: the cosine
+  };
+
+  static constexpr std::size_t constant_kind = 0;
+
+  struct Found {
+    ScreenedLaw law;
+    std::size_t lever = 0;
+    std::size_t kind = 0;  // of the covariates and whether it is bent
+  };
+
+  const LawScreening::RowCovariate& covariate(std::size_t c) const {
+    return screening_.covariates_[c];
+  }
+
+  double value(const RowLaw& law, std::size_t row) const {
+    if (law.form == Form::constant) return 1;
+    const auto r = static_cast<Index>(row);
+    const auto& of = covariate(law.x);
+    const double x = of.by_row[r];
+    const double middle = of.covariate.middle;
+    switch (law.form) {
+      case Form::log:
+        return std::log(x / middle);
+      case Form::power:
+        return std::pow(x / middle, law.shape) - 1;
+      case Form::quadratic:
+        return (x - law.shape) * (x - law.shape);
+      case Form::exponential:
+        return 1 - std::exp(-x / law.shape);
+      case Form::hinge:
+        return std::max(0.0, x - law.shape);
+      case Form::step:
+        return x > law.shape ? 1 : 0;
+      case Form::product: {
+        const Covariate& other = covariate(law.y).covariate;
+        const double y = covariate(law.y).by_row[r];
+        return (law.logarithmic ? std::log(x / middle) : x - middle) *
+               (law.shape > 0 ? std::log(y / other.middle) : y - other.middle);
+      }
+      case Form::sine: {
+        const double turn = 2 * std::numbers::pi * x / law.shape;
+        return law.logarithmic ? std::cos(turn) : std::sin(turn);
+      }
+      default:
+        return x - middle;
+    }
+  }
+
+  // Of each cell and law.
+  MatrixXd values(const std::vector<RowLaw>& laws) const {
+    MatrixXd result(static_cast<Index>(cells_.size()), static_cast<Index>(laws.size()));
+    for (std::size_t j = 0; j < laws.size(); ++j) {
+      for (std::size_t i = 0; i < cells_.size(); ++i) {
+        const bool again = i > 0 && row_of_cell_[i] == row_of_cell_[i - 1];
+        const auto k = static_cast<Index>(i);
+        const auto column = static_cast<Index>(j);
+        result(k, column) = again ? result(k - 1, column) : value(laws[j], row_of_cell_[i]);
+      }
+    }
+    return result;
+  }
+
+  // Columns of a lever times laws of these values.
+  MatrixXd columns(const Lever& lever, const Eigen::Ref<const MatrixXd>& values) const {
+    const VectorXd by_value =
+        VectorXd(lever.by_value_N(cells_)).cwiseQuotient(problem_.deviation_N);
+    return seen(by_value.asDiagonal() * values);
+  }
+
+  MatrixXd seen(MatrixXd columns) const {
+    take_out_scales(problem_, at_, columns);
+    whiten(problem_.shared, columns);
+    const Eigen::RowVectorXd before = columns.colwise().norm();
+    projection_.take_out(columns);
+    // What a free coefficient does already leaves hardly anything.
+    constexpr double hardly = 0.02;
+    for (Index j = 0; j < columns.cols(); ++j) {
+      if (columns.col(j).norm() < hardly * before[j]) columns.col(j).setZero();
+    }
+    return columns;
+  }
+
+  struct Family {
+    double gain = 0;
+    VectorXd size;
+  };
+
+  Family family(const MatrixXd& columns, const std::vector<Index>& which) const {
+    const auto n = static_cast<Index>(which.size());
+    MatrixXd square(n, n);
+    VectorXd along(n);
+    for (Index i = 0; i < n; ++i) {
+      const auto a = columns.col(which[static_cast<std::size_t>(i)]);
+      along[i] = a.dot(residuals_);
+      for (Index j = 0; j <= i; ++j) {
+        square(i, j) = square(j, i) = a.dot(columns.col(which[static_cast<std::size_t>(j)]));
+      }
+    }
+    const VectorXd scale = square.diagonal().cwiseSqrt();
+    if (!(scale.minCoeff() > 0)) return {};
+    const VectorXd inverse = scale.cwiseInverse();
+    const MatrixXd normal = inverse.asDiagonal() * square * inverse.asDiagonal();
+    constexpr double near_alias = 1e-6;
+    if (n > 1 && normal.determinant() < near_alias) return {};
+    Family result;
+    result.size = inverse.cwiseProduct(solve_symmetric(normal, inverse.cwiseProduct(along)));
+    result.gain = gain_from_misfits(before_, before_ - result.size.dot(along), degrees_);
+    return result;
+  }
+
+  double price(const Lever& lever) const {
+    const auto breadth = static_cast<std::size_t>(lever.breadth);
+    // Friction is in proportion to the load but for rare cases.
+    const double price_of_force = lever.target == Target::force ? 0.5 : 0;
+    return price_of_law + price_of_force + std::log(screening_.levers_of_breadth_[breadth]) +
+           price_of_part * static_cast<double>(breadth);
+  }
+  // Also that of the load.
+  double price_of_covariate() const {
+    return std::log(1.0 + static_cast<double>(screening_.covariates_.size()));
+  }
+  double price_of(const Lever& lever, std::size_t c) const {
+    return price_of_covariate() + covariate(c).price +
+           price_of_part * static_cast<double>(lever.breadth);
+  }
+
+  Term term(const Lever& lever, Form form) const {
+    Term term;
+    term.target = lever.target;
+    term.site = lever.site;
+    term.form = form;
+    return term;
+  }
+
+  // A force that contacts take is none that they give.
+  static bool is_possible(const Term& term, const std::vector<double>& values) {
+    if (term.target != Target::force || term.site.place != SitePlace::contacts) return true;
+    constexpr double slack = 0.05;
+    constexpr int places = 20;
+    double least = 0, greatest = 0;
+    for (int i = 0; i <= places; ++i) {
+      const double x = term.x.seen.low + (term.x.seen.high - term.x.seen.low) * i / places;
+      const double y = term.y.seen.low + (term.y.seen.high - term.y.seen.low) * i / places;
+      const double f = causes::law_value(term, x, y, values.data());
+      least = std::min(least, f);
+      greatest = std::max(greatest, f);
+    }
+    return -least <= slack * greatest;
+  }
+
+  struct Made {
+    Term term;
+    std::vector<double> values;
+    std::vector<double> crossing;  // where it is free
+    double price = 0;
+    double gain = 0;
+    std::size_t kind = 0;
+  };
+
+  void keep(std::size_t lever, const Made& made) {
+    if (!(made.gain > 0) || causes::fault(made.term) || !is_possible(made.term, made.values)) {
+      return;
+    }
+    const double parameters = static_cast<double>(made.values.size() + made.crossing.size());
+    const double cost = price(screening_.levers_[lever]) + made.price;
+    const double evidence = made.gain - cost - parameters * std::log(degrees_) / 2;
+    if (evidence <= 0) return;
+    const Cause& cause =
+        made.crossing.empty() ? causes::law(made.term) : causes::law_with_free_crossing(made.term);
+    std::vector<double> values = made.values;
+    values.insert(values.end(), made.crossing.begin(), made.crossing.end());
+    found_.push_back({{{&cause, {}, std::move(values)}, cost, evidence}, lever, made.kind});
+  }
+
+  // x0 at which a straight law with this slope, beside this constant, is zero.
+  static bool move_crossing(Covariate& x, double constant, double slope) {
+    const double span = x.seen.high - x.seen.low;
+    const double crossing =
+        x.logarithmic ? x.middle * std::exp(-constant / slope) : x.middle - constant / slope;
+    if (!(crossing > x.seen.low - 3 * span && crossing < x.seen.high + 3 * span)) return false;
+    if (x.logarithmic && !(crossing > 0)) return false;
+    x.middle = crossing;
+    return true;
+  }
+
+  // The constant of a law is the library's, or the hardware's.
+  static bool is_library_constant(const Lever& lever) {
+    const Site& site = lever.site;
+    if (site.place != SitePlace::contacts) return true;
+    return lever.breadth == Breadth::whole && lever.target == Target::exponent;
+  }
+
+  // The laws of all levers, and behind them those of levers of the whole rig.
+  void list_laws() {
+    const std::size_t count = screening_.covariates_.size();
+    std::vector<RowLaw> laws{{}};
+    for (std::size_t c = 0; c < count; ++c) laws.push_back({Form::linear, c, 0, 0, false});
+    log_column_.assign(count, 0);
+    for (std::size_t c = 0; c < count; ++c) {
+      if (!is_logarithmic(c)) continue;
+      log_column_[c] = laws.size();
+      laws.push_back({Form::log, c, 0, 0, false});
+    }
+    first_quadratic_ = laws.size();
+    for (std::size_t c = 0; c < count; ++c) {
+      laws.push_back({Form::quadratic, c, 0, covariate(c).covariate.middle, false});
+    }
+    first_wave_ = laws.size();
+    add_waves(laws);
+    first_product_ = laws.size();
+    add_products();
+    laws.insert(laws.end(), products_.begin(), products_.end());
+    values_ = values(laws);
+  }
+
+  void screen_straight(std::size_t l) {
+    const Lever& lever = screening_.levers_[l];
+    const std::size_t count = screening_.covariates_.size();
+    const bool is_whole = lever.breadth == Breadth::whole && !lever.by_load;
+    const MatrixXd seen = columns(
+        lever, values_.leftCols(is_whole ? values_.cols() : static_cast<Index>(first_wave_)));
+
+    if (lever.by_load) {
+      keep_load(l, seen);
+    } else if (!is_library_constant(lever)) {
+      const Family alone = family(seen, {0});
+      if (alone.gain > 0) {
+        keep(l, {term(lever, Form::constant), {alone.size[0]}, {}, 0, alone.gain, constant_kind});
+      }
+    }
+    for (std::size_t c = 0; c < count; ++c) {
+      if (is_of_noise(c)) continue;
+      if (is_gain_of_the_motor(lever, c)) continue;
+      keep_straight(l, c, seen, static_cast<Index>(1 + c), Form::linear);
+      if (log_column_[c] != 0) {
+        keep_straight(l, c, seen, static_cast<Index>(log_column_[c]), Form::log);
+      }
+      note_bend(
+          l, c,
+          family(seen, {static_cast<Index>(1 + c), static_cast<Index>(first_quadratic_ + c)}));
+    }
+    if (!is_whole) return;
+    for (std::size_t w = 0; w < waves_.size(); ++w) {
+      const auto sine = static_cast<Index>(first_wave_ + 2 * w);
+      keep_wave(l, waves_[w].first, waves_[w].second, family(seen, {sine, sine + 1}));
+    }
+    for (std::size_t p = 0; p < products_.size(); ++p) {
+      // In proportion to the motor tension an offset is a gain, which has laws of its own.
+      const bool with_motor =
+          covariate(products_[p].x).is_motor || covariate(products_[p].y).is_motor;
+      if (with_motor && lever.target == Target::offset) continue;
+      keep_product(l, products_[p], seen, static_cast<Index>(first_product_ + p));
+    }
+    screen_parts(l);
+  }
+
+  // An offset in proportion to what it is added to.
+  bool is_gain_of_the_motor(const Lever& lever, std::size_t c) const {
+    return lever.target == Target::offset && lever.site.place == SitePlace::motor &&
+           covariate(c).is_motor;
+  }
+
+  // A motor tension that scatters is no covariate: a law of it would follow its scatter. Nor is the
+  // order of readings that were set, which goes with what they were set to.
+  bool is_of_noise(std::size_t c) const {
+    const bool is_place = covariate(c).price > 0;
+    return (covariate(c).is_motor && problem_.motor_deviation_N.size() > 0) ||
+           (is_place && are_set_);
+  }
+
+  bool is_logarithmic(std::size_t c) const {
+    constexpr double wide = 1.5;
+    const auto& x = covariate(c).covariate;
+    return x.seen.low > 0 && x.seen.high > wide * x.seen.low && !covariate(c).is_motor;
+  }
+
+  void add_waves(std::vector<RowLaw>& laws) {
+    for (std::size_t c = 0; c < screening_.covariates_.size(); ++c) {
+      const auto& of = covariate(c);
+      if (of.distinct.size() < enough_values || of.is_motor || is_of_noise(c)) continue;
+      const double span = of.covariate.seen.high - of.covariate.seen.low;
+      for (int k = 2; k <= most_waves && k <= static_cast<int>(of.distinct.size()) / 2; ++k) {
+        const double period = 2 * span / k;
+        waves_.emplace_back(c, period);
+        laws.push_back({Form::sine, c, 0, period, false});
+        laws.push_back({Form::sine, c, 0, period, true});
+      }
+    }
+  }
+
+  void add_products() {
+    for (std::size_t x = 0; x < screening_.covariates_.size(); ++x) {
+      for (std::size_t y = 0; y < x; ++y) {
+        if (covariate(x).price > 0 || covariate(y).price > 0) continue;
+        if (is_of_noise(x) || is_of_noise(y)) continue;
+        products_.push_back({Form::product, x, y, 0, false});
+        if (is_logarithmic(x)) products_.push_back({Form::product, x, y, 0, true});
+        if (is_logarithmic(y)) products_.push_back({Form::product, x, y, 1, false});
+      }
+    }
+  }
+
+  // The law of a load, alone or with the constant of the same site.
+  void keep_load(std::size_t l, const MatrixXd& seen) {
+    const Lever& lever = screening_.levers_[l];
+    Made made{term(lever, lever.logarithmic ? Form::log : Form::linear),
+              {},
+              {},
+              price_of_covariate(),
+              0,
+              1};
+    made.term.x = lever.load;
+    const Family alone = family(seen, {0});
+    if (alone.gain > 0) {
+      made.values = {alone.size[0]};
+      made.gain = alone.gain;
+      keep(l, made);
+    }
+    std::size_t plain = l;
+    while (screening_.levers_[plain].by_load) --plain;
+    MatrixXd both(seen.rows(), 2);
+    both << columns(screening_.levers_[plain], values_.leftCols(1)), seen.col(0);
+    const Family pair = family(both, {0, 1});
+    if (!(pair.gain > 0)) return;
+    made.term.x.logarithmic = lever.logarithmic;
+    if (!move_crossing(made.term.x, pair.size[0], pair.size[1])) return;
+    made.term.x.logarithmic = false;
+    made.values = {pair.size[1]};
+    made.gain = pair.gain;
+    made.crossing = {made.term.x.middle};
+    keep(l, made);
+  }
+
+  void keep_straight(std::size_t l, std::size_t c, const MatrixXd& seen, Index column, Form form) {
+    const Lever& lever = screening_.levers_[l];
+    Made made{term(lever, form), {}, {}, price_of(lever, c), 0, 2 + 3 * c};
+    made.term.x = covariate(c).covariate;
+    const bool loaded = lever.by_load;
+    if (loaded) {
+      if (form == Form::log) return;
+      made.term.form = Form::product;
+      made.term.y = made.term.x;
+      made.term.x = lever.load;
+      made.term.x.logarithmic = lever.logarithmic;
+      made.price += price_of_product;
+    }
+    const Family alone = family(seen, {column});
+    if (alone.gain > 0) {
+      made.values = {alone.size[0]};
+      made.gain = alone.gain;
+      keep(l, made);
+    }
+    if (loaded) return;
+    const Family pair = family(seen, {0, column});
+    if (!(pair.gain > 0)) return;
+    made.term.x.logarithmic = form == Form::log;
+    if (!move_crossing(made.term.x, pair.size[0], pair.size[1])) return;
+    made.term.x.logarithmic = false;
+    made.values = {pair.size[1]};
+    made.gain = pair.gain;
+    made.crossing = {made.term.x.middle};
+    keep(l, made);
+  }
+
+  // Where a parabola gains, some bent law may.
+  void note_bend(std::size_t l, std::size_t c, const Family& bent) {
+    if (!(bent.gain > 0) || covariate(c).is_motor || is_of_noise(c) ||
+        screening_.levers_[l].by_load)
+      return;
+    const double evidence = bent.gain - price(screening_.levers_[l]) -
+                            price_of(screening_.levers_[l], c) - price_of_bend - std::log(degrees_);
+    bends_.push_back({evidence, l, c});
+  }
+
+  void keep_wave(std::size_t l, std::size_t c, double period, const Family& wave) {
+    if (!(wave.gain > 0)) return;
+    Made made{term(screening_.levers_[l], Form::sine),
+              {wave.size[0], wave.size[1], period},
+              {},
+              price_of(screening_.levers_[l], c) + price_of_bend,
+              wave.gain,
+              3 + 3 * c};
+    made.term.x = covariate(c).covariate;
+    keep(l, made);
+  }
+
+  void keep_product(std::size_t l, const RowLaw& of, const MatrixXd& seen, Index column) {
+    Made made{term(screening_.levers_[l], Form::product),
+              {},
+              {},
+              price_of(screening_.levers_[l], of.x) + price_of(screening_.levers_[l], of.y) +
+                  price_of_product,
+              0,
+              1000 + of.x * screening_.covariates_.size() + of.y};
+    made.term.x = covariate(of.x).covariate;
+    made.term.y = covariate(of.y).covariate;
+    made.term.x.logarithmic = of.logarithmic;
+    made.term.y.logarithmic = of.shape > 0;
+    const Family alone = family(seen, {column});
+    if (alone.gain > 0) {
+      made.values = {alone.size[0]};
+      made.gain = alone.gain;
+      keep(l, made);
+    }
+    const auto own_column = [&](std::size_t c, bool logarithmic) {
+      return static_cast<Index>(logarithmic ? log_column_[c] : 1 + c);
+    };
+    const Family crossed =
+        family(seen, {own_column(of.x, of.logarithmic), own_column(of.y, of.shape > 0), column});
+    if (!(crossed.gain > 0)) return;
+    if (!move_crossing(made.term.x, crossed.size[1], crossed.size[2]) ||
+        !move_crossing(made.term.y, crossed.size[0], crossed.size[2])) {
+      return;
+    }
+    made.values = {crossed.size[2]};
+    made.gain = crossed.gain;
+    made.crossing = {made.term.x.middle, made.term.y.middle};
+    keep(l, made);
+  }
+
+  // What one run or one group does by itself.
+  void screen_parts(std::size_t l) {
+    constexpr std::size_t few_runs = 4;
+    if (runs_.size() >= few_runs) {
+      screen_parts(l, runs_, screening_.run_of_row_, price_of_apart,
+                   [&](Site& site, std::size_t run) { site.run = screening_.runs_[run]; });
+    }
+    if (groups_.size() >= 2) {
+      screen_parts(l, groups_, screening_.group_of_row_, 0,
+                   [&](Site& site, std::size_t group) { site.group = screening_.groups_[group]; });
+    }
+  }
+
+  void screen_parts(std::size_t l, const std::set<std::size_t>& among,
+                    const std::vector<std::size_t>& part_of_row, double own_price,
+                    const std::function<void(Site&, std::size_t)>& restrict_to) {
+    const Lever& lever = screening_.levers_[l];
+    const std::vector<std::size_t> parts(among.begin(), among.end());
+    MatrixXd own(static_cast<Index>(cells_.size()), static_cast<Index>(parts.size()));
+    own.setZero();
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const std::size_t own_part = part_of_row[row_of_cell_[i]];
+      const auto part = std::lower_bound(parts.begin(), parts.end(), own_part);
+      if (part == parts.end() || *part != own_part) continue;
+      own(static_cast<Index>(i), part - parts.begin()) =
+          lever.by_value_N[cells_[i]] / problem_.deviation_N[static_cast<Index>(i)];
+    }
+    own = seen(std::move(own));
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const Family of = family(own, {static_cast<Index>(k)});
+      if (!(of.gain > 0)) continue;
+      Made made{term(lever, Form::constant),
+                {of.size[0]},
+                {},
+                std::log(static_cast<double>(parts.size())) + own_price,
+                of.gain,
+                1};
+      restrict_to(made.term.site, parts[k]);
+      keep(l, made);
+    }
+  }
+
+  struct Bend {
+    double evidence = 0;
+    std::size_t lever = 0;
+    std::size_t covariate = 0;
+  };
+
+  void screen_bent() {
+    std::stable_sort(bends_.begin(), bends_.end(),
+                     [](const Bend& a, const Bend& b) { return a.evidence > b.evidence; });
+    for (std::size_t i = 0; i < std::min(most_bent, bends_.size()); ++i) {
+      if (bends_[i].evidence <= 0) break;
+      screen_bent(bends_[i].lever, bends_[i].covariate);
+    }
+  }
+
+  void screen_bent(std::size_t l, std::size_t c) {
+    const auto& of = covariate(c);
+    const auto [low, high] = of.covariate.seen;
+    std::vector<RowLaw> laws;
+    if (low > 0) {
+      for (const double b : {-2.0, -1.0, -0.5, 0.5, 2.0, 3.0}) {
+        laws.push_back({Form::power, c, 0, b, false});
+      }
+    }
+    if (high > 0) {
+      for (const double part : {0.05, 0.1, 0.2, 0.4, 0.8}) {
+        laws.push_back({Form::exponential, c, 0, part * high, false});
+      }
+    }
+    for (int k = 0; k <= 8; ++k) {
+      laws.push_back({Form::quadratic, c, 0, low + (high - low) * (k - 2) / 4, false});
+    }
+    const std::vector<double>& knots = of.distinct;
+    const std::size_t step = std::max<std::size_t>(1, knots.size() / most_knots);
+    for (std::size_t k = 0; k + 1 < knots.size(); k += step) {
+      const double between = (knots[k] + knots[k + 1]) / 2;
+      if (k > 0) laws.push_back({Form::hinge, c, 0, between, false});
+      laws.push_back({Form::step, c, 0, between, false});
+    }
+    const MatrixXd seen = columns(screening_.levers_[l], values(laws));
+    for (std::size_t j = 0; j < laws.size(); ++j) {
+      const Family bent = family(seen, {static_cast<Index>(j)});
+      if (!(bent.gain > 0)) continue;
+      Made made{term(screening_.levers_[l], laws[j].form),
+                {bent.size[0], laws[j].shape},
+                {},
+                price_of(screening_.levers_[l], c) + price_of_bend,
+                bent.gain,
+                3 + 3 * c};
+      made.term.x = of.covariate;
+      keep(l, made);
+    }
+  }
+
+  const LawScreening& screening_;
+  const Problem& problem_;
+  const Forecast& at_;
+  const Projection& projection_;
+  const VectorXd& residuals_;
+  bool are_set_;
+  double before_;
+  double degrees_;
+  std::vector<std::size_t> rows_;         // of the screening's dataset
+  std::vector<std::size_t> row_of_cell_;  // likewise
+  std::vector<Index> cells_;              // likewise
+  std::set<std::size_t> runs_;
+  std::set<std::size_t> groups_;
+  std::vector<std::size_t> log_column_;  // of each covariate; 0 if it has none
+  std::size_t first_quadratic_ = 0;
+  std::size_t first_wave_ = 0;
+  std::size_t first_product_ = 0;
+  std::vector<std::pair<std::size_t, double>> waves_;  // covariate and period
+  std::vector<RowLaw> products_;
+  MatrixXd values_;  // of the laws of all levers
+  std::vector<Found> found_;
+  std::vector<Bend> bends_;
+};
+
+namespace {
+
+std::optional<double> recorded(const Covariate& covariate, const DatasetRow& row,
+                               const Reading& reading) {
+  using causes::CovariateKind;
+  switch (covariate.kind) {
+    case CovariateKind::motor:
+      return reading.motor_tension_N;
+    case CovariateKind::speed:
+      return reading.speed_mm_s;
+    case CovariateKind::cycle:
+      return reading.cycle;
+    case CovariateKind::temperature:
+      return reading.temperature_C;
+    default:
+      break;
+  }
+  for (const causes::NamedValue& column : row.conditions.record->columns) {
+    if (column.name == covariate.column) return column.value;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+LawScreening::LawScreening(const Dataset& dataset, const Model& model, const Forecast& at,
+                           Workers& workers)
+    : levers_(levers(dataset, model, at, workers)),
+      runs_(dataset.data->runs),
+      groups_(dataset.data->groups) {
+  for (const DatasetRow& row : dataset.rows) {
+    reading_of_row_.push_back(row.reading);
+    first_cell_.push_back(row.first);
+    const Reading& reading = dataset.data->readings[row.reading];
+    run_of_row_.push_back(reading.run);
+    group_of_row_.push_back(reading.group.value_or(groups_.size()));
+  }
+  for (const Lever& lever : levers_) {
+    levers_of_breadth_[static_cast<std::size_t>(lever.breadth)] += 1;
+  }
+  using causes::CovariateKind;
+  for (const char* name : {"motor_tension_N", "speed_mm_s", "cycle", "temperature_C"}) {
+    add_covariate(causes::covariate_named(name), false, dataset);
+  }
+  for (const char* name : {"order", "run"}) {
+    add_covariate({CovariateKind::column, name, {}, 0, {}, false}, true, dataset);
+  }
+  add_covariate({CovariateKind::column, "sheath_angle_rad", {}, 0, {}, false}, false, dataset);
+  for (const std::string& name : dataset.data->covariates) {
+    add_covariate({CovariateKind::column, name, {}, 0, {}, false}, false, dataset);
+  }
+}
+
+void LawScreening::add_covariate(Covariate covariate, bool is_place, const Dataset& dataset) {
+  RowCovariate result;
+  result.is_motor = covariate.kind == causes::CovariateKind::motor;
+  result.by_row.resize(static_cast<Index>(dataset.rows.size()));
+  std::vector<double> values;
+  std::vector<std::size_t> missing;
+  for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
+    const DatasetRow& row = dataset.rows[r];
+    const Reading& reading = dataset.data->readings[row.reading];
+    const std::optional<double> x = recorded(covariate, row, reading);
+    if (x) {
+      values.push_back(*x);
+      result.by_row[static_cast<Index>(r)] = *x;
+    } else {
+      missing.push_back(r);
+    }
+  }
+  std::sort(values.begin(), values.end());
+  if (values.size() < 3) return;
+  covariate.middle = values[values.size() / 2];
+  covariate.seen = {values.front(), values.back()};
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  if (values.size() < 2) return;
+  for (const std::size_t r : missing) result.by_row[static_cast<Index>(r)] = covariate.middle;
+  result.covariate = covariate;
+  result.distinct = std::move(values);
+  result.price = is_place ? price_of_place : 0;
+  covariates_.push_back(std::move(result));
+}
+
+std::vector<ScreenedLaw> LawScreening::best(const Problem& problem, const Forecast& at,
+                                            const Projection& projection, const VectorXd& residuals,
+                                            std::size_t most) const {
+  return LawFamilies(*this, problem, at, projection, residuals).run(most);
+}
+
+}  // namespace reeve::diagnosis

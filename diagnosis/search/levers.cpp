@@ -1,0 +1,283 @@
+#include "diagnosis/search/levers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "diagnosis/fit/mounting.hpp"
+
+namespace reeve::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr std::array site_kinds{ContactKind::tube, ContactKind::sheath, ContactKind::bearing,
+                                ContactKind::block};
+
+// The exponent of the n-th contact of a kind, in every routing.
+class ExponentAddend final : public Cause {
+ public:
+  ExponentAddend(ContactKind kind, std::size_t number) : kind_(kind), number_(number) {}
+
+  const char* name() const override { return "exponent_addend"; }
+  Reach reach() const override { return Reach::exponent; }
+  const char* meaning() const override { return "the exponent of one contact differs"; }
+  std::vector<Parameter> parameters(const Hardware&) const override {
+    return {{"change", "1", 0, {-1, 1}, {}}};
+  }
+  std::vector<Subject> subjects(const Survey&) const override { return {}; }
+  double exponent(double phi, const ContactLoad& load, const Conditions&,
+                  const Effect& effect) const override {
+    return load.kind == kind_ && load.number == number_ ? phi + effect.values[0] : phi;
+  }
+
+ private:
+  ContactKind kind_;
+  std::size_t number_;
+};
+
+struct ContactColumn {
+  ContactKind kind = ContactKind::tube;
+  std::size_t number = 0;
+  VectorXd by_exponent_N;
+};
+
+VectorXd by_exponent(const Dataset& dataset, const Model& model, const ContactColumn& slot) {
+  constexpr double step = 1e-4;
+  const ExponentAddend addend(slot.kind, slot.number);
+  const auto moved = [&](double by) {
+    Model there = model;
+    there.effects.push_back({&addend, {}, {by}});
+    return try_forecast(dataset, there);
+  };
+  const auto above = moved(step);
+  const auto below = moved(-step);
+  if (!above || !below) return VectorXd::Zero(static_cast<Index>(dataset.cells.size()));
+  return (above->reading_N - below->reading_N) / (2 * step);
+}
+
+std::vector<ContactColumn> slots(const Dataset& dataset, const Model& model, Workers& workers) {
+  std::vector<ContactColumn> result;
+  for (const ContactKind kind : site_kinds) {
+    for (std::size_t n = 0; n < most_of_a_kind(dataset, kind); ++n) result.push_back({kind, n, {}});
+  }
+  workers.for_each_block(result.size(), 1, [&](const IndexBlock& block) {
+    result[block.begin].by_exponent_N = by_exponent(dataset, model, result[block.begin]);
+  });
+  return result;
+}
+
+class LeversOf {
+ public:
+  LeversOf(const Dataset& dataset, const Model& model, const Forecast& at, Workers& workers)
+      : dataset_(dataset),
+        at_(at),
+        slots_(slots(dataset, model, workers)),
+        contacts_(contacts_of_rows(dataset, model)),
+        block_of_(dataset.rows.size()) {
+    for (const ReadingBlock& block : dataset.blocks) {
+      for (const std::size_t r : block.rows) block_of_[r] = &block;
+    }
+  }
+
+  std::vector<Lever> run() {
+    add_contacts();
+    add_channels();
+    add_motor();
+    std::erase_if(levers_, [](const Lever& lever) { return lever.by_value_N.isZero(0); });
+    return std::move(levers_);
+  }
+
+ private:
+  const MeasuredRouting& routing(std::size_t row) const {
+    return dataset_.data->routings[block_of_[row]->routing];
+  }
+
+  bool is_in(const Site& site, std::size_t row, const causes::SolvedContact& contact) const {
+    const ReadingBlock& block = *block_of_[row];
+    const ContactLoad load{contact.kind,   contact.high,   contact.number,   block.direction,
+                           contact.finger, block.recorded, routing(row).word};
+    return causes::acts_on(site, load);
+  }
+
+  template <typename Value>
+  VectorXd over_contacts(const Site& site, Value value) const {
+    VectorXd result = VectorXd::Zero(static_cast<Index>(dataset_.cells.size()));
+    for (std::size_t r = 0; r < dataset_.rows.size(); ++r) {
+      const DatasetRow& row = dataset_.rows[r];
+      for (const causes::SolvedContact& contact : contacts_[r]) {
+        if (!is_in(site, r, contact)) continue;
+        const ContactColumn& slot =
+            *std::find_if(slots_.begin(), slots_.end(), [&](const ContactColumn& each) {
+              return each.kind == contact.kind && each.number == contact.number;
+            });
+        const double factor = value(contact);
+        for (auto i = static_cast<Index>(row.first); i < static_cast<Index>(row.last); ++i) {
+          result[i] += factor * slot.by_exponent_N[i];
+        }
+      }
+    }
+    return result;
+  }
+
+  static double factor_of(Target target, const causes::SolvedContact& contact) {
+    if (target == Target::force) {
+      return contact.high > 0 ? std::exp(contact.phi) / contact.high : 0;
+    }
+    return causes::is_tube_or_sheath(contact.kind) ? contact.phi : 1;
+  }
+
+  // The loads at the site: middle and range.
+  std::optional<Covariate> load_at(const Site& site) const {
+    std::vector<double> loads;
+    for (std::size_t r = 0; r < dataset_.rows.size(); ++r) {
+      for (const causes::SolvedContact& contact : contacts_[r]) {
+        if (is_in(site, r, contact) && contact.high > 0) loads.push_back(contact.high);
+      }
+    }
+    return load_covariate(std::move(loads));
+  }
+
+  static std::optional<Covariate> load_covariate(std::vector<double> loads) {
+    if (loads.size() < 3) return std::nullopt;
+    std::sort(loads.begin(), loads.end());
+    if (loads.back() < 1.3 * loads.front()) return std::nullopt;
+    return Covariate{causes::CovariateKind::load,   "",   {}, loads[loads.size() / 2],
+                     {loads.front(), loads.back()}, false};
+  }
+
+  void add_at_contacts(const Site& site, Breadth breadth) {
+    for (const Target target : {Target::exponent, Target::force}) {
+      const VectorXd column = over_contacts(
+          site, [&](const causes::SolvedContact& contact) { return factor_of(target, contact); });
+      if (column.isZero(0)) continue;
+      levers_.push_back({target, site, breadth, false, false, {}, column});
+      const auto load = load_at(site);
+      if (!load || breadth == Breadth::one) continue;
+      for (const bool logarithmic : {false, true}) {
+        levers_.push_back({target, site, breadth, true, logarithmic, *load,
+                           over_contacts(site, [&](const causes::SolvedContact& contact) {
+                             if (!(contact.high > 0)) return 0.0;
+                             const double f = logarithmic ? std::log(contact.high / load->middle)
+                                                          : contact.high - load->middle;
+                             return f * factor_of(target, contact);
+                           })});
+      }
+    }
+  }
+
+  void add_contacts() {
+    for (const ContactKind kind : site_kinds) {
+      if (most_of_a_kind(dataset_, kind) == 0) continue;
+      Site site;
+      site.kind = kind;
+      add_at_contacts(site, Breadth::whole);
+      std::set<int> fingers;
+      std::set<std::pair<std::string, std::size_t>> numbered;
+      bool held = false;
+      for (std::size_t r = 0; r < dataset_.rows.size(); ++r) {
+        for (const causes::SolvedContact& contact : contacts_[r]) {
+          if (contact.kind != kind) continue;
+          if (contact.finger != 0) fingers.insert(contact.finger);
+          held |= contact.finger != 0 && block_of_[r]->recorded.holds(contact.finger);
+          numbered.insert({routing(r).word, contact.number});
+        }
+      }
+      for (const int finger : fingers) {
+        if (fingers.size() < 2) break;
+        Site own = site;
+        own.finger = finger;
+        add_at_contacts(own, Breadth::part);
+      }
+      for (const bool is_held : {true, false}) {
+        if (!held) break;
+        Site own = site;
+        own.held = is_held;
+        add_at_contacts(own, Breadth::part);
+      }
+      for (const auto& [word, number] : numbered) {
+        Site own = site;
+        own.routing = word;
+        own.number = number;
+        add_at_contacts(own, Breadth::one);
+      }
+    }
+  }
+
+  void add_cells(Target target, const Site& site, Breadth breadth,
+                 const std::function<double(std::size_t row, Index cell)>& value) {
+    Lever lever{target, site, breadth, false, false, {}, {}};
+    lever.by_value_N = VectorXd::Zero(static_cast<Index>(dataset_.cells.size()));
+    for (std::size_t r = 0; r < dataset_.rows.size(); ++r) {
+      for (std::size_t i = dataset_.rows[r].first; i < dataset_.rows[r].last; ++i) {
+        const bool reads =
+            site.place != SitePlace::channel ||
+            dataset_.data->channels[dataset_.cells[i].channel].segment == site.channel;
+        if (reads) lever.by_value_N[static_cast<Index>(i)] = value(r, static_cast<Index>(i));
+      }
+    }
+    levers_.push_back(std::move(lever));
+  }
+
+  void add_readings(const Site& site, Breadth breadth) {
+    const auto gain = [&](std::size_t, Index cell) { return at_.reading_N[cell]; };
+    add_cells(Target::gain, site, breadth, gain);
+    add_cells(Target::offset, site, breadth, [](std::size_t, Index) { return 1.0; });
+  }
+
+  void add_channels() {
+    Site all;
+    all.place = SitePlace::channels;
+    if (dataset_.data->channels.size() > 1) add_readings(all, Breadth::whole);
+    for (const Channel& channel : dataset_.data->channels) {
+      Site site;
+      site.place = SitePlace::channel;
+      site.channel = channel.segment;
+      add_readings(site, Breadth::whole);
+    }
+  }
+
+  void add_motor() {
+    Site site;
+    site.place = SitePlace::motor;
+    const auto by_motor = [&](std::size_t r, Index cell) {
+      return dataset_.rows[r].has_motor_tension ? at_.by_scale[cell] : 0;
+    };
+    add_cells(Target::gain, site, Breadth::whole, [&](std::size_t r, Index cell) {
+      return by_motor(r, cell) * dataset_.rows[r].conditions.motor_tension_N;
+    });
+    add_cells(Target::offset, site, Breadth::whole, by_motor);
+    const auto& blocks = dataset_.blocks;
+    const bool turns = std::any_of(blocks.begin(), blocks.end(), [](const ReadingBlock& block) {
+      return block.direction == Direction::release;
+    });
+    if (!turns) return;
+    add_cells(Target::force, site, Breadth::whole, [&](std::size_t r, Index cell) {
+      return (block_of_[r]->direction == Direction::pull ? -1 : 1) * by_motor(r, cell);
+    });
+  }
+
+  const Dataset& dataset_;
+  const Forecast& at_;
+  std::vector<ContactColumn> slots_;
+  RowContacts contacts_;
+  std::vector<const ReadingBlock*> block_of_;
+  std::vector<Lever> levers_;
+};
+
+}  // namespace
+
+std::vector<Lever> levers(const Dataset& dataset, const Model& model, const Forecast& at,
+                          Workers& workers) {
+  return LeversOf(dataset, model, at, workers).run();
+}
+
+}  // namespace reeve::diagnosis

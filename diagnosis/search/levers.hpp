@@ -1,0 +1,49 @@
+// What every reading does when something of the rig changes a little: the contacts' exponents and
+// forces, the gains and offsets of channels and motor. A term's sensitivity is that of its site,
+// times the law of its covariate in each row, so that any number of terms costs products alone:
+//
+//   exponent  sum over the site's contacts of dy/dphi_k, times phi_k at tubes and sheaths
+//   force     sum of dy/dphi_k e^{phi_k} / T_high,k, since e^{-phi'} = e^{-phi} - F / T_high
+//   gain      y of a channel, or dy/dT_M T_M of the motor's pull
+//   offset    1, or dy/dT_M; a force at the motor is an offset that turns its sign in release
+//
+// The derivatives by exponents are central differences of forecasts; all else is exact.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+#include "causes/term.hpp"
+#include "diagnosis/fit/forecast.hpp"
+#include "numerics/parallel.hpp"
+
+namespace reeve::diagnosis {
+
+using causes::Covariate;
+using causes::Form;
+using causes::Site;
+using causes::SitePlace;
+using causes::Target;
+using causes::Term;
+
+// How far a site is from being the whole rig.
+enum class Breadth : std::uint8_t { whole, part, one };
+
+struct Lever {
+  Target target = Target::exponent;
+  Site site;
+  Breadth breadth = Breadth::whole;
+  // In the law's covariate is the load; otherwise the load is left to the row's law.
+  bool by_load = false;
+  bool logarithmic = false;  // ln(T_high / x0), not T_high - x0
+  Covariate load{};
+  Eigen::VectorXd by_value_N;  // of each cell, by the value of the row's law
+};
+
+// Whatever the routings of the data have. Levers that no reading answers are left out.
+std::vector<Lever> levers(const Dataset& dataset, const Model& model, const Forecast& at,
+                          Workers& workers);
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,116 @@
+// The likeliest model of some readings: coefficients calibrated, then terms accepted one by one.
+//
+// A step screens every cause of the library and every law of the grammar to first order, fits the
+// most promising in full, and accepts the one with the greatest evidence
+//
+//   E = ln likelihood (evidence.hpp) − sum over its terms of the price and ln(n)/2 per parameter
+//
+// if that is at least 3 nats above the model without it. Afterwards each accepted term has to
+// defend its place: against others (one with more evidence takes it), and against nothing. What
+// could stand in a term's place with hardly less evidence shares its probability,
+// p_i ~ e^{E_i}. The coefficients that are free in every model (calibration.hpp) are fitted again
+// each time.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/fit/evidence.hpp"
+#include "diagnosis/search/calibration.hpp"
+#include "diagnosis/search/candidates.hpp"
+#include "diagnosis/search/cause_screening.hpp"
+#include "diagnosis/search/law_screening.hpp"
+
+namespace reeve::diagnosis {
+
+struct Alternative {
+  std::string name;
+  Model model;
+  double deficit = 0;  // of evidence
+};
+
+struct AcceptedTerm {
+  Effect effect;
+  double price = 0;
+  std::size_t parameters = 0;  // a zero crossing that its term holds among them
+  double evidence = 0;         // above the model without it
+  double probability = 1;      // among its alternatives
+  std::vector<Alternative> alternatives;
+  std::optional<double> folds;  // share of those in which it holds (verdict/folds.hpp)
+};
+
+struct TermSearchOptions {
+  double alpha = 0.02;  // of coefficients that differ
+  std::optional<std::size_t> most_causes;
+  std::optional<double> mounting_scatter;
+};
+
+// Whether two laws are of one site and covariate, whatever their form.
+bool is_kin(const Effect& a, const Effect& b);
+
+struct Explanation {
+  ScatterShape shape;
+  Problem problem;  // seen from the model
+  Scatter scatter;
+  Model base;   // with the coefficients that the data tell
+  Model model;  // with the accepted causes as well
+  std::vector<AcceptedTerm> accepted;
+  std::vector<Calibration> calibrations;  // by the model
+  // Parallel to these: causes of the library that, beside the hardware's own coefficient, explain
+  // the readings hardly less than one that differs from it.
+  std::vector<std::vector<Alternative>> instead;
+  // Of a search on some of the readings, parallel to what was accepted on all of them: whether all
+  // that together is as evident here as what was found here, and more evident with this one.
+  std::vector<bool> holds;
+  double best_refused = 0;  // evidence of the best that was not accepted
+  std::size_t most_causes = 0;
+
+  // How many independent differences between mountings the scatter is known from.
+  double mounting_degrees() const;
+};
+
+// What was screened: the columns of all terms about the model after so many of them. Parts of the
+// readings are searched with the same columns.
+struct Screened {
+  CauseScreening causes;
+  LawScreening laws;
+};
+
+// Of readings that are too few to look for anything.
+Explanation nothing_explained(const Dataset& dataset, const Model& nominal,
+                              const std::vector<Candidate>& candidates,
+                              const TermSearchOptions& options, Workers& workers);
+
+// What was found but for one of the accepted causes, with the scatter that is likeliest then.
+Explanation without_term(const Dataset& dataset, const Explanation& found, std::size_t cause,
+                         const TermSearchOptions& options, Workers& workers);
+
+class TermSearch {
+ public:
+  // Everything must outlive it.
+  TermSearch(const Dataset& dataset, const Model& nominal, const std::vector<Candidate>& candidates,
+             const TermSearchOptions& options, Workers& workers);
+
+  // Nothing if it was stopped; `stop` is called with the name of each stage.
+  std::optional<Explanation> run(const std::function<bool(const char*)>& stop);
+
+  // The same search on some of the runs, by the columns that `run` has made. Any thread may.
+  Explanation run_on(const Dataset& part, Workers& workers) const;
+
+ private:
+  const Dataset& dataset_;
+  const Model& nominal_;
+  const TermSearchOptions& options_;
+  Workers& workers_;
+  std::vector<Candidate> coefficients_;
+  std::vector<Candidate> causes_;
+  std::vector<Screened> screened_;
+  // What was found on all readings.
+  ScatterLevel level_;
+  Model model_;
+  std::vector<AcceptedTerm> accepted_;
+};
+
+}  // namespace reeve::diagnosis

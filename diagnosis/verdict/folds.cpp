@@ -1,0 +1,105 @@
+#include "diagnosis/verdict/folds.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "causes/term.hpp"
+
+namespace reeve::diagnosis {
+namespace {
+
+using Eigen::Index;
+
+}  // namespace
+
+std::vector<std::size_t> dealt_runs(const MeasuredData& data,
+                                    const std::vector<std::size_t>& readings, std::size_t folds) {
+  std::vector<std::size_t> fold(data.runs.size(), folds);
+  std::map<std::size_t, std::size_t> dealt;  // of each routing
+  for (const std::size_t i : readings) {
+    const Reading& reading = data.readings[i];
+    if (fold[reading.run] != folds) continue;
+    fold[reading.run] = (reading.routing + dealt[reading.routing]++) % folds;
+  }
+  return fold;
+}
+
+std::optional<std::vector<Fold>> cross_validated(const MeasuredData& data,
+                                                 const std::vector<std::size_t>& readings,
+                                                 const Model& nominal, const TermSearch& search,
+                                                 Workers& workers,
+                                                 const std::function<bool()>& stop) {
+  std::vector<Fold> result;
+  std::vector<std::size_t> runs;
+  for (const std::size_t i : readings) runs.push_back(data.readings[i].run);
+  std::sort(runs.begin(), runs.end());
+  runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
+  if (runs.size() < 2) return result;
+  const std::size_t folds = std::min(most_folds, runs.size());
+  const std::vector<std::size_t> fold_of = dealt_runs(data, readings, folds);
+  if (stop()) return std::nullopt;
+  std::vector<std::optional<Fold>> searched(folds);
+  workers.for_each_block(folds, 1, [&](const IndexBlock& block) {
+    std::vector<std::size_t> seen, unseen;
+    for (const std::size_t i : readings) {
+      (fold_of[data.readings[i].run] == block.begin ? unseen : seen).push_back(i);
+    }
+    const Dataset training = dataset(data, seen);
+    Fold fold{dataset(data, unseen), {}, {}, {}, {}};
+    if (fold.unseen.cells.empty() || training.cells.empty()) return;
+    Workers alone(1);
+    fold.found = search.run_on(training, alone);
+    fold.nominal = forecast(fold.unseen, nominal);
+    fold.base = try_forecast(fold.unseen, fold.found.base).value_or(fold.nominal);
+    fold.forecast = try_forecast(fold.unseen, fold.found.model).value_or(fold.base);
+    // What was found refers to the training set, which ends here.
+    fold.found.problem.dataset = nullptr;
+    searched[block.begin] = std::move(fold);
+  });
+  for (std::optional<Fold>& fold : searched) {
+    if (fold) result.push_back(std::move(*fold));
+  }
+  return result;
+}
+
+double share_of_folds(const std::vector<Fold>& folds, const AcceptedTerm& cause,
+                      std::size_t place) {
+  if (folds.empty()) return 1;
+  const auto is_it = [&](const AcceptedTerm& found) {
+    const std::string name = effect_name(found.effect);
+    return name == effect_name(cause.effect) || is_kin(found.effect, cause.effect) ||
+           std::any_of(cause.alternatives.begin(), cause.alternatives.end(),
+                       [&](const Alternative& other) { return other.name == name; });
+  };
+  const auto finds = [&](const Fold& fold) {
+    return fold.found.holds[place] ||
+           std::any_of(fold.found.accepted.begin(), fold.found.accepted.end(), is_it);
+  };
+  return static_cast<double>(std::count_if(folds.begin(), folds.end(), finds)) /
+         static_cast<double>(folds.size());
+}
+
+Forecast joined(const std::vector<Fold>& folds, const Dataset& all, Forecast Fold::*of) {
+  Forecast result{Eigen::VectorXd::Zero(static_cast<Index>(all.cells.size())),
+                  Eigen::VectorXd::Zero(static_cast<Index>(all.cells.size())),
+                  std::vector<bool>(all.rows.size(), false)};
+  std::map<std::size_t, std::size_t> place;
+  for (std::size_t r = 0; r < all.rows.size(); ++r) place[all.rows[r].reading] = r;
+  for (const Fold& fold : folds) {
+    const Forecast& own = fold.*of;
+    for (std::size_t r = 0; r < fold.unseen.rows.size(); ++r) {
+      const DatasetRow& row = fold.unseen.rows[r];
+      const std::size_t to = place.at(row.reading);
+      const auto first = static_cast<Index>(all.rows[to].first);
+      const auto size = static_cast<Index>(row.last - row.first);
+      const auto from = static_cast<Index>(row.first);
+      result.reading_N.segment(first, size) = own.reading_N.segment(from, size);
+      result.by_scale.segment(first, size) = own.by_scale.segment(from, size);
+      result.jams[to] = own.jams[r];
+    }
+  }
+  return result;
+}
+
+}  // namespace reeve::diagnosis

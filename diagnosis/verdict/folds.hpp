@@ -1,0 +1,49 @@
+// The whole search, repeated without each fold of runs, and what its models win on the runs that
+// they have not seen.
+//
+// Runs are dealt to at most five folds, those of one routing in turn. Each fold is opened once, by
+// the model that was found without it. A name holds if more than half of the folds find it, too, or
+// something that cannot be told from it.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/search/term_search.hpp"
+
+namespace reeve::diagnosis {
+
+inline constexpr std::size_t most_folds = 5;
+
+// A fold's own readings, and what was found without them.
+struct Fold {
+  Dataset unseen;
+  Explanation found;
+  // Of its own readings.
+  Forecast nominal;
+  Forecast base;
+  Forecast forecast;
+};
+
+// One number for each run of the data: the fold that it is in. Of runs of these readings.
+std::vector<std::size_t> dealt_runs(const MeasuredData& data,
+                                    const std::vector<std::size_t>& readings, std::size_t folds);
+
+// None of fewer than two runs. Nothing if it was stopped.
+std::optional<std::vector<Fold>> cross_validated(const MeasuredData& data,
+                                                 const std::vector<std::size_t>& readings,
+                                                 const Model& nominal, const TermSearch& search,
+                                                 Workers& workers,
+                                                 const std::function<bool()>& stop);
+
+// Of the folds, in how many the cause that was accepted in this place holds: they find it or one of
+// its alternatives, or it is as evident there as what they find.
+double share_of_folds(const std::vector<Fold>& folds, const AcceptedTerm& cause, std::size_t place);
+
+// Forecasts of all readings, each by its fold.
+Forecast joined(const std::vector<Fold>& folds, const Dataset& all, Forecast Fold::*of);
+
+}  // namespace reeve::diagnosis

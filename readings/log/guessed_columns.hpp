@@ -1,0 +1,46 @@
+// What the columns of a logger's file may mean where their names are not reeve's: guessed by common
+// words, English and German, by the numbers beside them and by their units. A guess is proposed to
+// the user and never taken unasked.
+//
+//   Zeit [s]            time              Kraft 1 [N]        T1
+//   Weg [mm]            position          Motorkraft [N]     motor_tension
+//   Geschw. [mm/s]      speed             Motorstrom [A]     nothing: a current is no tension
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "readings/reading_options.hpp"
+
+namespace reeve::readings {
+
+enum class GuessKind : std::uint8_t {
+  known,    // its name says it, or the user
+  guessed,  // to be confirmed
+  unknown,  // a covariate
+};
+
+struct GuessedColumn {
+  std::string name;     // as the file has it
+  std::string meaning;  // without a unit, which the name or the row of units has; "" if unknown
+  GuessKind kind = GuessKind::unknown;
+  std::string reason;  // why it is not what it looks like; usually ""
+};
+
+struct LogGuess {
+  char separator = ',';
+  std::vector<GuessedColumn> columns;                // with a name, in the order of the file
+  std::vector<std::vector<std::string>> first_rows;  // cells of these columns, as written
+
+  // What the user says already, and what is guessed.
+  std::vector<ColumnMeaning> map;
+
+  bool has(const std::string& meaning) const;
+};
+
+// Throws InputError where the file has no rows of fields.
+LogGuess guess_columns(const std::filesystem::path& path, const ReadingOptions& options);
+
+}  // namespace reeve::readings

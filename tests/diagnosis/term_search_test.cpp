@@ -1,0 +1,217 @@
+// Laws beyond the library, on readings of TR1 with finger 1 held, which are written down by the
+// paper's equations: each tension is the one before it times e^{-phi}. Noise and idle columns are
+// drawn here.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+
+#include "causes/term.hpp"
+#include "diagnosis/diagnose.hpp"
+#include "diagnosis/fit/evidence.hpp"
+#include "diagnosis/search/levers.hpp"
+#include "numerics/random.hpp"
+#include "tests/diagnosis/read_dataset.hpp"
+
+namespace reeve::testing {
+namespace {
+
+constexpr double phi_sheath = 0.18 * 2 * std::numbers::pi;
+constexpr double phi_tube = 0.18 * std::numbers::pi;
+
+struct Row {
+  int run = 0;
+  double supply_V = 5;
+};
+
+// What a strand's sensor reads over what it should.
+using Factor = std::function<double(const Row&, int strand)>;
+
+std::string readings(const Factor& factor) {
+  std::string text = "run,routing,held,motor_tension_N,humidity_pct,supply_V,T1_N,T2_N,T3_N,T4_N\n";
+  std::uint64_t drawn = 0;
+  for (int run = 0; run < 12; ++run) {
+    for (const double motor_N : {8.0, 12.0, 18.0, 27.0, 35.0, 50.0}) {
+      const Row row{run, 4.5 + uniform(1, 2, drawn)};
+      text += fmt::format("r{},M-1-T-2-F,1,{},{:.2f},{:.4f}", run, motor_N,
+                          20 + 60 * uniform(1, 3, drawn), row.supply_V);
+      double tension_N = motor_N * std::exp(-phi_sheath);
+      for (int strand = 0; strand < 4; ++strand) {
+        const double read_N = tension_N * factor(row, strand) * (1 + 0.01 * normal(1, 4, drawn++));
+        text += fmt::format(",{:.5f}", read_N);
+        tension_N *= std::exp(-phi_tube);
+      }
+      text += "\n";
+    }
+  }
+  return text;
+}
+
+DiagnosisResult diagnosed(const std::string& text, int threads = 1) {
+  DiagnoseOptions options;
+  options.threads = threads;
+  return diagnose(read_data(text), {}, options);
+}
+
+// The gain of T3 follows the supply voltage, and is right at 5.1 V.
+double as_supplied(const Row& row, int strand) {
+  return strand == 2 ? 1 + 0.2 * (row.supply_V - 5.1) : 1;
+}
+
+TEST(TermSearch, FindsTheSiteTheCovariateAndTheSizeOfALaw) {
+  const DiagnosisResult result = diagnosed(readings(as_supplied));
+  ASSERT_EQ(result.causes.size(), 1U);
+  const NamedCause& law = result.causes.front();
+  const Term* term = term_of(*law.effect.cause);
+  ASSERT_NE(term, nullptr);
+  EXPECT_EQ(causes::site_name(term->site), "T3");
+  EXPECT_EQ(term->target, causes::Target::gain);
+  EXPECT_EQ(covariate_name(term->x), "supply_V");
+  EXPECT_EQ(term->form, causes::Form::linear);
+  EXPECT_NEAR(law.effect.values.front(), 0.2, 0.02);
+  EXPECT_NEAR(term->x.middle, 5.1, 0.05);
+  EXPECT_GT(*law.evidence, 100);
+  EXPECT_EQ(*law.folds, 1);
+  ASSERT_TRUE(result.held_out.has_value());
+  EXPECT_LT(result.held_out->rms_after_N, result.held_out->rms_before_N);
+}
+
+TEST(TermSearch, FindsNothingInNoiseAlone) {
+  const DiagnosisResult result = diagnosed(readings([](const Row&, int) { return 1.0; }));
+  EXPECT_EQ(result.verdict, Verdict::none);
+  EXPECT_TRUE(result.causes.empty());
+  EXPECT_TRUE(result.apart.empty());
+}
+
+TEST(TermSearch, NamesARunThatStandsApart) {
+  const DiagnosisResult result = diagnosed(
+      readings([](const Row& row, int strand) { return row.run == 7 && strand == 1 ? 1.3 : 1.0; }));
+  EXPECT_EQ(result.verdict, Verdict::unexplained);
+  ASSERT_EQ(result.apart.size(), 1U);
+  EXPECT_EQ(result.apart.front().run, "r7");
+  EXPECT_TRUE(result.causes.empty());
+}
+
+TEST(TermSearch, IsTheSameForAnyNumberOfThreads) {
+  const std::string text = readings(as_supplied);
+  const DiagnosisResult one = diagnosed(text, 1);
+  const DiagnosisResult three = diagnosed(text, 3);
+  ASSERT_EQ(one.causes.size(), 1U);
+  ASSERT_EQ(three.causes.size(), 1U);
+  EXPECT_EQ(one.causes.front().effect.values, three.causes.front().effect.values);
+  EXPECT_EQ(one.held_out->log_likelihood_gain, three.held_out->log_likelihood_gain);
+}
+
+const Lever* lever_of(const std::vector<Lever>& levers, causes::Target target,
+                      const std::string& site) {
+  for (const Lever& lever : levers) {
+    if (lever.target == target && causes::site_name(lever.site) == site && !lever.by_load) {
+      return &lever;
+    }
+  }
+  return nullptr;
+}
+
+// Of T2 = T1 e^{-phi} - F, and so on, by hand.
+TEST(Levers, AreTheDerivativesOfTheEquations) {
+  const MeasuredData data = read_data(
+      "run,routing,held,motor_tension_N,T1_N,T2_N,T3_N,T4_N\n"
+      "a,M-1-T-2-F,1,20,6,3,2,1\n");
+  Dataset all = all_of(data);
+  const Forecast at = forecast(all, {});
+  Workers workers(1);
+  const std::vector<Lever> all_levers = levers(all, {}, at, workers);
+  const Lever* sheath = lever_of(all_levers, causes::Target::exponent, "sheath");
+  const Lever* tubes = lever_of(all_levers, causes::Target::force, "tube");
+  const Lever* gain = lever_of(all_levers, causes::Target::gain, "motor");
+  ASSERT_TRUE(sheath != nullptr && tubes != nullptr && gain != nullptr);
+  double force = 0;
+  for (Eigen::Index i = 0; i < 4; ++i) {
+    const double tension_N = 20 * std::exp(-phi_sheath - static_cast<double>(i) * phi_tube);
+    EXPECT_NEAR(at.reading_N[i], tension_N, 1e-6);
+    EXPECT_NEAR(sheath->by_value_N[i], -phi_sheath * tension_N, 1e-5);
+    EXPECT_NEAR(tubes->by_value_N[i], force, 1e-5);
+    EXPECT_NEAR(gain->by_value_N[i], tension_N, 1e-5);
+    force = force * std::exp(-phi_tube) - 1;
+  }
+}
+
+TEST(Evidence, OfOneWildReadingHardlyMovesTheScatter) {
+  const MeasuredData data = read_data(readings([](const Row&, int) { return 1.0; }));
+  Dataset all = all_of(data);
+  Workers workers(1);
+  const ScatterShape shape = scatter_shape(all, {}, std::nullopt, workers);
+  const Forecast at = forecast(all, {});
+  const double scale = likelihood(all, shape, at).scale;
+  MeasuredData wild = data;
+  *wild.readings[10].tension_N[1] *= 2;
+  Dataset with_one = all_of(wild);
+  EXPECT_NEAR(likelihood(with_one, shape, at).scale, scale, 0.15 * scale);
+}
+
+// Weights that hang where the sensor is, each a run: the hand holds W = (T - 2.5 N) e^{-phi}, and T
+// is read with 0.4 N of noise.
+std::string weights_csv() {
+  std::string text = "run,routing,motor_tension_N,Th1_N\n";
+  std::uint64_t drawn = 0;
+  for (const double weight_N : {5.0, 10.0, 15.0, 20.0, 30.0, 40.0, 50.0}) {
+    for (int i = 0; i < 8; ++i) {
+      const double motor_N = weight_N * std::exp(0.3) + 2.5 + 0.4 * normal(1, 9, drawn++);
+      text += fmt::format("{} N,M-F,{:.4f},{}\n", weight_N, motor_N, weight_N);
+    }
+  }
+  return text;
+}
+
+TEST(SetReadings, AreThoseThatDoNotFollowTheMotorTensionsScatter) {
+  const MeasuredData data = read_data(weights_csv());
+  const auto set = set_readings(all_of(data));
+  ASSERT_TRUE(set.has_value());
+  EXPECT_NEAR(set->motor_N, 0.4, 0.1);
+  EXPECT_TRUE(set->one_of_each_run);
+  EXPECT_TRUE(set->several);
+  EXPECT_FALSE(set_readings(all_of(read_data(readings([](const Row&, int) { return 1.0; })))));
+}
+
+TEST(SetReadings, OfARunForEachWeightTellFrictionAndLoss) {
+  const DiagnosisResult result = diagnosed(weights_csv());
+  EXPECT_TRUE(std::any_of(result.indistinguishable.begin(), result.indistinguishable.end(),
+                          [](const std::vector<std::string>& names) {
+                            return std::find(names.begin(), names.end(), "constant_loss") !=
+                                   names.end();
+                          }));
+  ASSERT_EQ(result.calibration.size(), 1U);
+  EXPECT_NEAR(2 * std::numbers::pi * result.calibration[0].parameter.value, 0.3, 0.05);
+  EXPECT_LT(result.held_out->rms_after_N, result.held_out->rms_before_N / 4);
+}
+
+TEST(RobustMisfit, IsThatOfSquaresWithinAndOfLogarithmsBeyond) {
+  EXPECT_DOUBLE_EQ(robust_misfit(Eigen::Vector2d(1, -3)), 10);
+  EXPECT_DOUBLE_EQ(robust_misfit(Eigen::VectorXd::Constant(1, 7)),
+                   3.5 * 3.5 * (1 + 2 * std::log(2)));
+}
+
+TEST(FreeCrossing, IsALawThatHoldsItOnceFitted) {
+  Term term;
+  term.target = causes::Target::gain;
+  term.site.place = causes::SitePlace::channels;
+  term.form = causes::Form::linear;
+  term.x = causes::covariate_named("supply_V");
+  term.x.seen = {4, 6};
+  term.x.middle = 5.5;
+  const Effect free{&causes::law_with_free_crossing(term), {}, {0.2, 5}};
+  EXPECT_EQ(free.cause->parameters({}).size(), 2U);
+  const Effect held = causes::with_crossing_held(free);
+  ASSERT_EQ(held.values, std::vector<double>{0.2});
+  EXPECT_EQ(term_of(*held.cause)->x.middle, 5);
+  const double law[] = {0.2};
+  EXPECT_DOUBLE_EQ(causes::law_value(*term_of(*held.cause), 5.5, 0, law), 0.1);
+}
+
+}  // namespace
+}  // namespace reeve::testing
