@@ -106,6 +106,7 @@ struct Bounds {
 constexpr Bounds coefficients{0, 10, ""};
 constexpr Bounds angles{0, 1000, "rad"};
 constexpr Bounds lengths{1e-3, 1e6, "mm"};
+constexpr Bounds wobbles{0, 100, "rad/m"};
 constexpr Bounds closing_weights{1e-3, 1e3, ""};
 
 class FaultFinder {
@@ -120,6 +121,8 @@ class FaultFinder {
     range("lengths", "strand_mm", hardware_.strand_mm, lengths);
     range("lengths", "motor_side_mm", hardware_.motor_side_mm, lengths);
     range("lengths", "hand_mm", hardware_.hand_mm, lengths);
+    range("sheath", "length_mm", hardware_.sheath.length_mm, lengths);
+    range("sheath", "wobble_rad_per_m", hardware_.sheath.wobble_rad_per_m, wobbles);
     look_at_fingers();
     for (const ContactHardware& contact : hardware_.contacts) look_at(contact);
     return first_ ? first_ : hand_fault(hardware_);
@@ -186,9 +189,10 @@ class FaultFinder {
       exponent(where, " tip",
                finger.tip_mu.value_or(tip.mu) * finger.tip_angle_rad.value_or(tip.angle_rad));
     }
-    exponent(where, " sheath",
-             finger.sheath_mu.value_or(hardware_.sheath.mu) *
-                 finger.sheath_angle_rad.value_or(hardware_.sheath.angle_rad));
+    ContactLaw sheath = hardware_.sheath;
+    sheath.mu = finger.sheath_mu.value_or(sheath.mu);
+    sheath.angle_rad = finger.sheath_angle_rad.value_or(sheath.angle_rad);
+    exponent(where, " sheath", sheath.exponent());
   }
 
   void look_at(const ContactHardware& contact) {
@@ -236,7 +240,7 @@ void validate(const Hardware& hardware) {
 }
 
 bool treats_fingers_alike(const Hardware& hardware, int fingers) {
-  if (!hardware.contacts.empty()) return false;
+  if (!hardware.contacts.empty() || hardware.contact_draw) return false;
   for (int finger = 2; finger <= fingers; ++finger) {
     if (coefficients_of(hardware, finger) != coefficients_of(hardware, 1)) return false;
     if (finger_parts(hardware, finger) != finger_parts(hardware, 1)) return false;

@@ -1,12 +1,14 @@
 // Friction and lengths of the parts that a tendon runs through.
 //
 // Every contact has a friction exponent phi = mu * theta, by its kind, or overridden for one finger
-// or for one contact. Lengths matter only as ratios, and only where a contact does not slide.
+// or for one contact; to a sheath's theta its wobble adds. Lengths matter only as ratios, and only
+// where a contact does not slide.
 //
 // Defaults: the paper's mu_t = mu_s = 0.18, mu_b = 0.001 and theta = pi; theta_s = 2 pi reproduces
 // its tables I, II, III and VI (the paper does not print it).
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -56,8 +58,16 @@ struct ContactLaw {
   double mu = 0;         // friction coefficient, 1
   double angle_rad = 0;  // wrap angle, rad
   bool known = false;    // mu was measured: who fits measured tensions leaves it as it is
+  // A sheath's bends that nobody intended grow with its length, so that
+  // phi = mu (theta + K x): the "wobble" of post-tensioned tendons in their ducts.
+  std::optional<double> length_mm{};  // without wobble it has no effect
+  double wobble_rad_per_m = 0;
 
-  double exponent() const { return mu * angle_rad; }
+  double whole_angle_rad() const {
+    constexpr double mm_per_m = 1000;
+    return angle_rad + wobble_rad_per_m * length_mm.value_or(0) / mm_per_m;
+  }
+  double exponent() const { return mu * whole_angle_rad(); }
   friend bool operator==(const ContactLaw&, const ContactLaw&) = default;
 };
 
@@ -86,6 +96,27 @@ struct ContactHardware {
   friend bool operator==(const ContactHardware&, const ContactHardware&) = default;
 };
 
+// No two contacts are alike: liners are cut and glued by hand, and each bend is a little other. In
+// a draw each contact's exponent is that of its kind times 1 + σ z, z standard normal and a
+// function of seed, draw and the contact's place in the network alone; at least 0. What the
+// hardware says of the coefficient of one finger or one contact stays.
+//
+// Source: the σ are judgements, as the ranges of uncertainty_ranges.hpp: cut and mounted by hand,
+// contacts of one kind differ by some percent.
+struct ContactScatter {
+  double relative = 0.04;         // σ of tubes and sheaths
+  double bearing_relative = 0.1;  // σ of bearings and of blocks' sheaves
+
+  friend bool operator==(const ContactScatter&, const ContactScatter&) = default;
+};
+
+struct ContactDraw {
+  std::uint64_t seed = 0;
+  std::uint64_t draw = 0;
+
+  friend bool operator==(const ContactDraw&, const ContactDraw&) = default;
+};
+
 // The file of a hardware, and where it says something: "finger.2.tip_mu" at "h.toml:3:1".
 struct HardwareOrigin {
   std::string file;
@@ -104,6 +135,8 @@ struct Hardware {
   std::vector<ContactHardware> contacts;
   FingerParts finger_parts{};  // of fingers that have none of their own
   MotorParts motor{};
+  ContactScatter scatter{};
+  std::optional<ContactDraw> contact_draw{};  // of no file; without it the nominal exponents hold
   std::shared_ptr<const HardwareOrigin> origin{};  // none if it is of no file
 };
 
@@ -116,7 +149,7 @@ std::string hardware_place(const Hardware& hardware, std::string key);
 inline constexpr double max_exponent = 10;
 
 // Whether fingers 1 … n have the same parts, of their own or by default. A contact of its own is of
-// one finger.
+// one finger, and scattered contacts all are.
 bool treats_fingers_alike(const Hardware& hardware, int fingers);
 
 // The first quantity out of its range, with its value and what was expected; nothing if the

@@ -8,6 +8,8 @@
 #include "core/error.hpp"
 #include "core/hand.hpp"
 #include "core/routing.hpp"
+#include "numerics/random.hpp"
+#include "numerics/streams.hpp"
 
 namespace reeve::core {
 
@@ -113,7 +115,61 @@ void MechanicsBuilder::apply(const Network& network, Mechanics& mechanics) const
   }
   mechanics.closing.assign(static_cast<std::size_t>(network.fingers), 1.0);
   if (!by_finger_.empty() || !by_contact_.empty()) apply_overrides(network, mechanics);
+  if (hardware_.contact_draw) apply_scatter(network, mechanics);
   if (!excursion_.empty()) close_by_excursions(mechanics);
+}
+
+bool MechanicsBuilder::has_own_mu(const Network& network, const TendonSpan& tendon,
+                                  std::size_t k) const {
+  const Contact& contact = network.contacts[tendon.first_contact + k];
+  if (contact.finger != 0 && !by_finger_.empty()) {
+    const auto& finger = by_finger_[static_cast<std::size_t>(contact.finger)];
+    const bool tip = contact.place == ContactPlace::tip;
+    if (finger && (tip ? finger->tip_mu : finger->sheath_mu)) return true;
+  }
+  const auto ends = ends_of(tendon, k);
+  return std::any_of(by_contact_.begin(), by_contact_.end(), [&](const ContactOverride& own) {
+    return own.law.mu && own.is_between(network.segments[ends.left], network.segments[ends.right]);
+  });
+}
+
+double MechanicsBuilder::deviation(const Network& network, const TendonSpan& tendon,
+                                   std::size_t k) const {
+  switch (network.contacts[tendon.first_contact + k].kind) {
+    case ContactKind::tube:
+    case ContactKind::sheath:
+      return has_own_mu(network, tendon, k) ? 0 : hardware_.scatter.relative;
+    case ContactKind::bearing:
+    case ContactKind::block:
+      return has_own_mu(network, tendon, k) ? 0 : hardware_.scatter.bearing_relative;
+    case ContactKind::bar:
+      return 0;
+  }
+  return 0;
+}
+
+void MechanicsBuilder::deviations(const Network& network, std::vector<double>& deviations) const {
+  deviations.assign(network.contacts.size(), 0.0);
+  for (const TendonSpan& tendon : network.tendons) {
+    for (std::size_t k = 0; k < tendon.contacts; ++k) {
+      deviations[tendon.first_contact + k] = deviation(network, tendon, k);
+    }
+  }
+}
+
+void MechanicsBuilder::apply_scatter(const Network& network, Mechanics& mechanics) const {
+  const auto [seed, draw] = *hardware_.contact_draw;
+  for (const TendonSpan& tendon : network.tendons) {
+    for (std::size_t k = 0; k < tendon.contacts; ++k) {
+      const std::size_t contact = tendon.first_contact + k;
+      double& phi = mechanics.phi[contact];
+      const double sigma = deviation(network, tendon, k);
+      if (sigma == 0 || phi == 0 || phi > max_exponent) continue;
+      const auto stream = streams::contact_scatter + static_cast<std::uint32_t>(contact);
+      phi = std::clamp(phi * (1 + sigma * normal(seed, stream, draw)), 0.0, max_exponent);
+      mechanics.decay[contact] = std::exp(-phi);
+    }
+  }
 }
 
 // Fingers that are to come to their ends together close by their excursions; that needs all of

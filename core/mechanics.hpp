@@ -37,6 +37,10 @@ class MechanicsBuilder {
   // Of the tendon's k-th contact, whatever sets it.
   ContactLaw law_at(const Network& network, const TendonSpan& tendon, std::size_t k) const;
 
+  // σ of each contact's own exponent (ContactScatter); 0 of a contact whose coefficient is given.
+  // Keeps the memory of `deviations`.
+  void deviations(const Network& network, std::vector<double>& deviations) const;
+
   // Contact overrides that name no contact of this network; as the user wrote them.
   std::vector<std::string> unmatched_contacts(const Network& network) const;
 
@@ -59,6 +63,10 @@ class MechanicsBuilder {
   ContactLaw law(const Contact& contact) const;
   void prepare(ContactKind kind);
   void apply_overrides(const Network& network, Mechanics& mechanics) const;
+  void apply_scatter(const Network& network, Mechanics& mechanics) const;
+  double deviation(const Network& network, const TendonSpan& tendon, std::size_t k) const;
+  // Whether the file says a coefficient of this contact alone, or of those of its finger.
+  bool has_own_mu(const Network& network, const TendonSpan& tendon, std::size_t k) const;
   void close_by_excursions(Mechanics& mechanics) const;
   // Returns the place of an error about the contact between two segments.
   std::string place_between(const Segment& left, const Segment& right) const;

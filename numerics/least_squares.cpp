@@ -16,7 +16,8 @@ using Eigen::VectorXd;
 
 constexpr int most_steps = 50;
 constexpr double difference_share = 1e-6;  // of the width of the box
-constexpr double settled = 1e-7;   // relative fall of the sum, and more than rounding brings
+constexpr double settled = 1e-7;  // relative fall of the sum, and more than rounding brings
+constexpr double settled_to_compare = 1e-4;
 constexpr double nothing = 1e-20;  // of the first sum: an exact fit
 constexpr double least_damping = 1e-6;
 constexpr double most_damping = 1e8;
@@ -24,8 +25,12 @@ constexpr double most_damping = 1e8;
 class Descent {
  public:
   Descent(const Residuals& residuals, const std::vector<Interval>& box,
-          const std::vector<double>& start)
-      : residuals_(residuals), box_(box), at_(start) {}
+          const std::vector<double>& start, Precision precision)
+      : residuals_(residuals),
+        box_(box),
+        corrects_(precision == Precision::to_compare),
+        settled_(corrects_ ? settled_to_compare : settled),
+        at_(start) {}
 
   LeastSquares run() {
     auto first = residuals_(at_);
@@ -35,13 +40,15 @@ class Descent {
     const double first_value = value_;
     bool converged = false;
     for (int step = 0; step < most_steps && !converged; ++step) {
-      if (!differentiate()) break;
+      if (!is_corrected_ && !differentiate()) break;
       const double before = value_;
       if (!descend()) {
+        if (std::exchange(is_corrected_, false)) continue;
         converged = is_flat();
         break;
       }
-      converged = before - value_ <= settled * before || value_ <= nothing * first_value;
+      is_corrected_ = corrects_;
+      converged = before - value_ <= settled_ * before || value_ <= nothing * first_value;
     }
     return {{at_, value_}, converged};
   }
@@ -69,6 +76,22 @@ class Descent {
     return true;
   }
 
+  // By what a step to here changed.
+  void correct(const std::vector<double>& before, const VectorXd& residuals_before) {
+    VectorXd moved(jacobian_.cols());
+    VectorXd along(jacobian_.cols());
+    for (std::size_t i = 0; i < at_.size(); ++i) {
+      const auto k = static_cast<Index>(i);
+      moved[k] = at_[i] - before[i];
+      along[k] = width(i) > 0 ? moved[k] / (width(i) * width(i)) : 0;
+    }
+    const double square = along.dot(moved);
+    if (!(square > 0)) return;
+    const VectorXd missed = here_ - residuals_before - jacobian_ * moved;
+    jacobian_ += missed * (along / square).transpose();
+    gradient_ = jacobian_.transpose() * here_;
+  }
+
   // At a bound, and the sum falls beyond it.
   bool is_held(std::size_t i) const {
     const double slope = gradient_[static_cast<Index>(i)];
@@ -83,7 +106,7 @@ class Descent {
       const double square = jacobian_.col(k).squaredNorm();
       if (!is_held(i) && square > 0) gain += gradient_[k] * gradient_[k] / square;
     }
-    return gain <= 100 * settled * value_;
+    return gain <= 100 * settled_ * value_;
   }
 
   std::vector<double> stepped() const {
@@ -109,15 +132,17 @@ class Descent {
   }
 
   bool descend() {
-    for (; damping_ < most_damping; damping_ *= 10) {
+    const double most = is_corrected_ ? 100 * damping_ : most_damping;
+    for (; damping_ < most; damping_ *= 10) {
       const std::vector<double> there = stepped();
       auto residuals = residuals_(there);
       if (!residuals) continue;
       const double value = residuals->squaredNorm();
       if (!(value < value_)) continue;
-      at_ = there;
-      here_ = std::move(*residuals);
+      const std::vector<double> before = std::exchange(at_, there);
+      const VectorXd residuals_before = std::exchange(here_, std::move(*residuals));
       value_ = value;
+      if (corrects_) correct(before, residuals_before);
       damping_ = std::max(least_damping, damping_ / 10);
       return true;
     }
@@ -126,6 +151,9 @@ class Descent {
 
   const Residuals& residuals_;
   const std::vector<Interval>& box_;
+  bool corrects_;
+  double settled_;
+  bool is_corrected_ = false;  // the Jacobian is not that of here
   std::vector<double> at_;
   VectorXd here_;
   MatrixXd jacobian_;
@@ -137,8 +165,8 @@ class Descent {
 }  // namespace
 
 LeastSquares least_squares(const Residuals& residuals, const std::vector<Interval>& box,
-                           const std::vector<double>& start) {
-  return Descent(residuals, box, start).run();
+                           const std::vector<double>& start, Precision precision) {
+  return Descent(residuals, box, start, precision).run();
 }
 
 }  // namespace reeve::numerics

@@ -86,7 +86,11 @@ struct Workers::Arena {
   explicit Arena(int count)
       : limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count)),
         arena(count),
-        threads(static_cast<std::size_t>(count)) {}
+        threads(static_cast<std::size_t>(count)) {
+    // At once, since the library waits for ever where it is asked again after this has failed for
+    // want of memory.
+    arena.initialize();
+  }
 
   tbb::global_control limit;  // more threads than cores, too, when the user asks for them
   tbb::task_arena arena;

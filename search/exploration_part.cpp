@@ -134,6 +134,10 @@ void complete_ladder(Ladder& ladder, const ExploreOptions& options) {
   };
   for (Rung& rung : ladder.rungs) complete(rung.design);
   if (ladder.affordable) complete(*ladder.affordable);
+  if (ladder.choice) {
+    complete(ladder.choice->without);
+    complete(ladder.choice->with);
+  }
 }
 
 // Both are the beginning of one ranking.

@@ -16,6 +16,7 @@
 #include "core/grasp.hpp"
 #include "core/part_prices.hpp"
 #include "search/checkpoint.hpp"
+#include "search/enumerate/field_parts.hpp"
 #include "search/enumerate/generator.hpp"
 #include "search/evaluate/score.hpp"
 #include "search/rank/infeasible.hpp"
@@ -48,6 +49,8 @@ struct ExploreOptions {
   std::optional<PartPrices> prices;
   LadderOptions ladder;
   bool keeps_record = false;  // of the shard, to be put together with others
+  // Of the parts that hands are built of, those that would make too many routings.
+  std::optional<LeftOutParts> left_out{};
 };
 
 struct Progress {

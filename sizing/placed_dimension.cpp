@@ -47,36 +47,34 @@ std::vector<PlacedDimension> angles_of_fingers(const Network& network, const Har
   const bool sheaths = quantity == SizedQuantity::sheath_angle;
   const ContactPlace place = sheaths ? ContactPlace::sheath : ContactPlace::tip;
   std::vector<PlacedDimension> found;
-  for_each_contact(
-      network, hardware,
-      [&](const Contact& contact, const Segment& left, const Segment& right,
-          const ContactLaw& law) {
-        if (contact.place != place) return;
-        PlacedDimension here{{quantity, contact.finger, {}, {}}, law.angle_rad, sheaths};
-        if (contact.finger == 0) {
-          here.dimension = {SizedQuantity::contact_angle, 0, left, right};
-        } else if (has_own_angle(hardware, left, right)) {
-          return;
-        }
-        for (const PlacedDimension& other : found) {
-          if (other.dimension == here.dimension) return;
-        }
-        found.push_back(here);
-      });
+  for_each_contact(network, hardware,
+                   [&](const Contact& contact, const Segment& left, const Segment& right,
+                       const ContactLaw& law) {
+                     if (contact.place != place) return;
+                     PlacedDimension here{{quantity, contact.finger, {}, {}}, law.angle_rad};
+                     if (contact.finger == 0) {
+                       here.dimension = {SizedQuantity::contact_angle, 0, left, right};
+                     } else if (has_own_angle(hardware, left, right)) {
+                       return;
+                     }
+                     for (const PlacedDimension& other : found) {
+                       if (other.dimension == here.dimension) return;
+                     }
+                     found.push_back(here);
+                   });
   sort_by_finger(found);
   return found;
 }
 
 std::vector<PlacedDimension> angles_of_contacts(const Network& network, const Hardware& hardware) {
   std::vector<PlacedDimension> found;
-  for_each_contact(network, hardware,
-                   [&](const Contact& contact, const Segment& left, const Segment& right,
-                       const ContactLaw& law) {
-                     if (contact.kind == ContactKind::bar) return;
-                     found.push_back({{SizedQuantity::contact_angle, 0, left, right},
-                                      law.angle_rad,
-                                      contact.kind == ContactKind::sheath});
-                   });
+  for_each_contact(
+      network, hardware,
+      [&](const Contact& contact, const Segment& left, const Segment& right,
+          const ContactLaw& law) {
+        if (contact.kind == ContactKind::bar) return;
+        found.push_back({{SizedQuantity::contact_angle, 0, left, right}, law.angle_rad});
+      });
   return found;
 }
 
@@ -92,7 +90,7 @@ std::vector<PlacedDimension> arms_of_fingers(const Network& network, const Hardw
   for (int finger = 1; finger <= network.fingers; ++finger) {
     const FingerParts parts = finger_parts(hardware, finger);
     if (parts.joints.empty()) continue;
-    found.push_back({{SizedQuantity::arm_mm, finger, {}, {}}, parts.joints.front().arm_mm, false});
+    found.push_back({{SizedQuantity::arm_mm, finger, {}, {}}, parts.joints.front().arm_mm});
   }
   return found;
 }
@@ -107,7 +105,7 @@ std::vector<PlacedDimension> numbers_of_fingers(const Network& network, const Ha
                                ? (own != nullptr ? own->closing.value_or(1) : 1)
                            : own != nullptr ? own->strand_mm.value_or(hardware.strand_mm)
                                             : hardware.strand_mm;
-    found.push_back({{quantity, finger, {}, {}}, nominal, false});
+    found.push_back({{quantity, finger, {}, {}}, nominal});
   }
   return found;
 }
@@ -119,7 +117,7 @@ std::vector<PlacedDimension> lengths_of_hand(const Network& network, const Hardw
   const bool there = std::any_of(network.segments.begin(), network.segments.end(),
                                  [&](const Segment& segment) { return segment.kind == kind; });
   if (!there) return {};
-  return {{{quantity, 0, {}, {}}, motor ? hardware.motor_side_mm : hardware.hand_mm, false}};
+  return {{{quantity, 0, {}, {}}, motor ? hardware.motor_side_mm : hardware.hand_mm}};
 }
 
 FingerHardware& finger_of(Hardware& hardware, int finger) {

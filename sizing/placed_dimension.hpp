@@ -14,7 +14,6 @@ namespace reeve::sizing {
 struct PlacedDimension {
   SizedDimension dimension;
   double nominal = 0;
-  bool of_sheath = false;  // it turns with the posture of the wearer
 };
 
 // All of a quantity that a routing has. Of sheath angles: those of fingers, then, as contacts,

@@ -11,6 +11,7 @@
 #include "numerics/parallel.hpp"
 #include "numerics/random.hpp"
 #include "numerics/streams.hpp"
+#include "search/evaluate/evaluation.hpp"
 
 namespace reeve::sizing {
 namespace {
@@ -147,19 +148,28 @@ class SizingSearch {
   const std::atomic<bool>* stop_;
 };
 
-SizedGoal sized_goal(const SizingProblem& problem, const Model& model, double goal,
-                     double nominal) {
-  SizedGoal result{goal, nominal, {}, problem.evaluator().shares(model), 0};
-  result.values = problem.evaluator().objectives(model, result.unconverged);
+SizedGoal sized_goal(const SizingProblem& problem, const Model& model, const SizingOptions& options,
+                     double goal, double nominal) {
+  SizedGoal result{goal, nominal, {}, {}, {}, 0};
+  DesignEvaluator evaluator(model, options.grasps, options.score);
+  result.values = evaluator.evaluate(problem.routing());
+  result.unconverged = evaluator.unconverged();
+  result.shares = problem.evaluator().shares(model);
+  UncertaintyOptions drawn{model, options.ranges, options.grasps, {}};
+  drawn.draws = told_draws(options);
+  drawn.seed = options.seed;
+  drawn.threads = 1;
+  result.motor = motor_force(problem.routing(), drawn);
   return result;
 }
 
-SizedGoal goal_before(const SizingProblem& problem) {
-  return sized_goal(problem, problem.model(), problem.goal(), problem.nominal_goal());
+SizedGoal goal_before(const SizingProblem& problem, const SizingOptions& options) {
+  return sized_goal(problem, problem.model(), options, problem.told_goal(), problem.nominal_goal());
 }
 
-SizedGoal goal_after(const SizingProblem& problem, const SizingPoint& point) {
-  return sized_goal(problem, problem.model(point), problem.goal(point),
+SizedGoal goal_after(const SizingProblem& problem, const SizingOptions& options,
+                     const SizingPoint& point) {
+  return sized_goal(problem, problem.model(point), options, problem.told_goal(point),
                     problem.nominal_goal(point));
 }
 
@@ -187,7 +197,7 @@ void finish(const SizingProblem& problem, const SizingOptions& options, const Si
     best = SizingSearch::least(best, search.with_loss(nearest->at));
   }
   best = search.finished(best);
-  design.after = goal_after(problem, best.at);
+  design.after = goal_after(problem, options, best.at);
   if (design.least_miss && design.after.nominal < *design.least_miss) {
     design.least_miss = design.after.nominal;
     design.nearest_shares = design.after.shares;
@@ -241,7 +251,7 @@ SizingResult size(const std::vector<Routing>& routings, const SizingOptions& opt
     problems.emplace_back(routing, options);
     SizedDesign& design = result.designs.emplace_back();
     design.routing = routing;
-    design.before = goal_before(problems.back());
+    design.before = goal_before(problems.back(), options);
   }
   const auto searches = static_cast<std::size_t>(options.starts) + 1;
   std::vector<std::vector<Find>> finds(routings.size(), std::vector<Find>(searches));

@@ -30,10 +30,11 @@ struct SizedVariable {
 
 // With the hardware as it is, or as it is sized.
 struct SizedGoal {
-  double goal = 0;     // what was searched for
+  double goal = 0;     // what was searched for, over the draws that are told
   double nominal = 0;  // the same at the nominal coefficients
   ObjectiveValues values{};
-  std::vector<double> shares;  // of the fingers in all pull, mean over the grasps
+  std::optional<MotorForce> motor{};  // of a hand
+  std::vector<double> shares;         // of the fingers in all pull, mean over the grasps
   std::uint64_t unconverged = 0;
 };
 

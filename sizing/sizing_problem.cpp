@@ -18,16 +18,13 @@ namespace {
 // Worse than any goal, and still a number for who compares.
 constexpr double worst_loss = 1e9;
 
-// The box of the coefficients, sheath angles as parts of what they are.
-CoefficientBox relative_box(const SizingOptions& options) {
-  Hardware hardware = options.nominal.hardware;
-  hardware.sheath.angle_rad = 1;
-  return coefficient_box(hardware, options.ranges);
-}
-
-std::vector<double> absolute(std::vector<double> relative, const Hardware& nominal) {
-  relative.back() *= nominal.sheath.angle_rad;
-  return relative;
+// With the greatest friction that is drawn.
+std::vector<double> upper_corner(const SizingOptions& options) {
+  std::vector<double> highest;
+  for (const Interval& interval : coefficient_box(options.nominal.hardware, options.ranges)) {
+    highest.push_back(interval.high);
+  }
+  return highest;
 }
 
 }  // namespace
@@ -92,36 +89,26 @@ std::vector<double> GoalEvaluator::shares(const Model& model) const {
   return {mean.begin(), mean.end()};
 }
 
-ObjectiveValues GoalEvaluator::objectives(const Model& model, std::uint64_t& unconverged) const {
-  DesignEvaluator evaluator(model, grasps_, score_);
-  const ObjectiveValues values = evaluator.evaluate(routing_);
-  unconverged += evaluator.unconverged();
-  return values;
-}
-
 SizingProblem::SizingProblem(const Routing& routing, const SizingOptions& options)
     : nominal_model_(options.nominal),
       space_(size_space(expand(routing), options.nominal.hardware, options.varied, options.same)),
-      evaluator_(routing, options.goal, options.grasps, options.score),
+      evaluator_(routing, options.goal, goal_grasps(options), options.score),
       higher_is_better_(options.goal.better() == Better::higher),
-      robust_(options.robust) {
+      robust_(options.robust),
+      draws_(options.robust ? options.draws : 0),
+      told_draws_(options.robust ? told_draws(options) : 0),
+      seed_(options.seed),
+      ranges_(options.ranges) {
   for (const SizeVariable& variable : space_.variables) box_.push_back(variable.bounds);
   for (const PlacedDimension& placed : space_.dimensions) nominal_.push_back(placed.nominal);
-  const CoefficientBox box = relative_box(options);
-  std::vector<double> highest;
-  for (const Interval& interval : box) highest.push_back(interval.high);
-  if (robust_) highest_ = {absolute(highest, options.nominal.hardware), highest.back()};
+  if (robust_) highest_ = upper_corner(options);
   require_upper_end();
-  for (std::size_t d = 0; robust_ && d < options.draws; ++d) {
-    const std::vector<double> point = drawn_point(box, options.seed, d);
-    draws_.push_back({absolute(point, options.nominal.hardware), point.back()});
-  }
 }
 
 // With the greatest friction that is drawn.
 Model SizingProblem::upper_end(const Values& values) const {
-  const Model model = model_of(values, highest_.sheath_factor);
-  return robust_ ? at_point(model, highest_.coefficients) : model;
+  const Model model = model_of(values);
+  return robust_ ? at_point(model, highest_) : model;
 }
 
 // Of contacts alone the hardware's faults do not tell; points without tensions are passed over.
@@ -160,41 +147,41 @@ SizingProblem::Values SizingProblem::values(const SizingPoint& point) const {
   return values;
 }
 
-Model SizingProblem::model_of(const Values& values, double sheath_factor) const {
+Model SizingProblem::model_of(const Values& values) const {
   Model model = nominal_model_;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const PlacedDimension& placed = space_.dimensions[i];
     // What stays as the hardware has it is not written into it.
-    if (sheath_factor == 1 && values[i] == placed.nominal) continue;
-    set(model.hardware, placed.dimension, values[i] * (placed.of_sheath ? sheath_factor : 1));
+    if (values[i] == placed.nominal) continue;
+    set(model.hardware, placed.dimension, values[i]);
   }
   return model;
 }
 
-double SizingProblem::goal_of(const Values& values, bool robust) const {
-  if (!robust) return evaluator_.value(model_of(values, 1));
+double SizingProblem::goal_of(const Values& values, std::size_t draws) const {
+  const Model model = model_of(values);
+  if (draws == 0) return evaluator_.value(model);
   std::vector<double> goals;
-  for (const Draw& draw : draws_) {
-    goals.push_back(
-        evaluator_.value(at_point(model_of(values, draw.sheath_factor), draw.coefficients)));
+  for (std::size_t d = 0; d < draws; ++d) {
+    goals.push_back(evaluator_.value(draw_model(model, ranges_, seed_, d)));
   }
   return quantile_of(std::move(goals), higher_is_better_ ? robust_quantile : 1 - robust_quantile);
 }
 
-double SizingProblem::guarded_loss(const SizingPoint& point, bool robust) const {
+double SizingProblem::guarded_loss(const SizingPoint& point, std::size_t draws) const {
   if (!is_hardware(point)) return worst_loss;
   try {
-    const double loss = as_loss(goal_of(values(point), robust));
+    const double loss = as_loss(goal_of(values(point), draws));
     return std::isfinite(loss) ? loss : worst_loss;
   } catch (const OutOfRange&) {
     return worst_loss;
   }
 }
 
-double SizingProblem::loss(const SizingPoint& point) const { return guarded_loss(point, robust_); }
+double SizingProblem::loss(const SizingPoint& point) const { return guarded_loss(point, draws_); }
 
 double SizingProblem::nominal_loss(const SizingPoint& point) const {
-  return guarded_loss(point, false);
+  return guarded_loss(point, 0);
 }
 
 }  // namespace reeve::sizing

@@ -2,14 +2,16 @@
 //
 // Robust, the goal is that of the bad side: its 5 % quantile over draws of the coefficients (95 %
 // where lower is better), the same draws at every point, so that points are compared on equal
-// terms. A draw is that of uncertainty.hpp; besides, sheath angles that are varied turn by the same
-// factor as the others do, since posture bends whatever was mounted.
+// terms. A draw is that of uncertainty.hpp. Searched is with few draws; what is told of a point is
+// over as many as everywhere (told_draws).
 #pragma once
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "causes/model.hpp"
@@ -19,6 +21,7 @@
 #include "numerics/minimise.hpp"
 #include "search/evaluate/objectives.hpp"
 #include "search/evaluate/score.hpp"
+#include "search/uncertainty/motor_force.hpp"
 #include "sizing/goal.hpp"
 #include "sizing/size_space.hpp"
 
@@ -29,14 +32,14 @@ class GoalEvaluator {
  public:
   GoalEvaluator(const Routing& routing, Goal goal, GraspSet grasps, Score score);
 
+  const Routing& routing() const { return routing_; }
+
   // All throw OutOfRange where the model has no tensions.
   double value(const Model& model) const;
   // Of a target, whose value is their norm: for each grasp and finger, share less target.
   Eigen::VectorXd misses(const Model& model) const;
   // Of the fingers, mean over the grasps.
   std::vector<double> shares(const Model& model) const;
-  // Adds to `unconverged` the tension solves that did not converge.
-  ObjectiveValues objectives(const Model& model, std::uint64_t& unconverged) const;
 
  private:
   Eigen::MatrixXd shares_by_grasp(const Model& model) const;
@@ -52,9 +55,11 @@ class GoalEvaluator {
 struct SizingOptions {
   Model nominal;
   UncertaintyRanges ranges;
-  GraspSet grasps;
+  GraspSet grasps;  // that are asked: of objectives and motor force
   Score score = authors_score();
   Goal goal;
+  // Of a target, if others than those.
+  std::optional<GraspSet> target_grasps = std::nullopt;
   std::vector<VariedRange> varied;
   std::vector<SameGroup> same;
   bool robust = true;
@@ -67,6 +72,16 @@ struct SizingOptions {
 
 inline constexpr double robust_quantile = 0.05;
 
+// In which the goal is judged.
+inline const GraspSet& goal_grasps(const SizingOptions& options) {
+  return options.target_grasps ? *options.target_grasps : options.grasps;
+}
+
+// Of a result, so that its motor force is that of the other subcommands (motor_force.hpp).
+inline std::size_t told_draws(const SizingOptions& options) {
+  return std::max(options.draws, motor_draws);
+}
+
 using SizingPoint = std::vector<double>;  // parallel to the variables
 
 class SizingProblem {
@@ -78,12 +93,14 @@ class SizingProblem {
   const std::vector<Interval>& box() const { return box_; }
   SizingPoint nearest_to_nominal() const;
 
-  // What is searched for; without a point, of the hardware as it is. Throw OutOfRange.
-  double goal() const { return goal_of(nominal_, robust_); }
-  double goal(const SizingPoint& point) const { return goal_of(values(point), robust_); }
+  // What is searched for. Throws OutOfRange.
+  double goal(const SizingPoint& point) const { return goal_of(values(point), draws_); }
+  // The same over the draws that are told; without a point, of the hardware as it is.
+  double told_goal() const { return goal_of(nominal_, told_draws_); }
+  double told_goal(const SizingPoint& point) const { return goal_of(values(point), told_draws_); }
   // At the nominal coefficients.
-  double nominal_goal() const { return goal_of(nominal_, false); }
-  double nominal_goal(const SizingPoint& point) const { return goal_of(values(point), false); }
+  double nominal_goal() const { return goal_of(nominal_, 0); }
+  double nominal_goal(const SizingPoint& point) const { return goal_of(values(point), 0); }
 
   // Within the bounds always; beyond them a length may be none, or a wrap more than contacts have.
   bool is_hardware(const SizingPoint& point) const;
@@ -94,22 +111,19 @@ class SizingProblem {
   double nominal_loss(const SizingPoint& point) const;
   double as_loss(double goal) const { return higher_is_better_ ? -goal : goal; }
 
-  Model model(const SizingPoint& point) const { return model_of(values(point), 1); }
+  Model model(const SizingPoint& point) const { return model_of(values(point)); }
   const Model& model() const { return nominal_model_; }
+  const Routing& routing() const { return evaluator_.routing(); }
   const GoalEvaluator& evaluator() const { return evaluator_; }
 
  private:
   using Values = std::vector<double>;  // parallel to the dimensions
 
-  struct Draw {
-    std::vector<double> coefficients;
-    double sheath_factor = 1;
-  };
-
   Values values(const SizingPoint& point) const;
-  Model model_of(const Values& values, double sheath_factor) const;
-  double goal_of(const Values& values, bool robust) const;
-  double guarded_loss(const SizingPoint& point, bool robust) const;
+  Model model_of(const Values& values) const;
+  // The quantile over so many draws; 0: at the nominal coefficients.
+  double goal_of(const Values& values, std::size_t draws) const;
+  double guarded_loss(const SizingPoint& point, std::size_t draws) const;
   Model upper_end(const Values& values) const;
   void require_upper_end() const;
 
@@ -120,8 +134,11 @@ class SizingProblem {
   GoalEvaluator evaluator_;
   bool higher_is_better_;
   bool robust_;
-  Draw highest_;  // of all that the uncertainty may draw
-  std::vector<Draw> draws_;
+  std::size_t draws_;       // that are searched with
+  std::size_t told_draws_;  // that the result is told over
+  std::uint64_t seed_;
+  UncertaintyRanges ranges_;
+  std::vector<double> highest_;  // of all that the uncertainty may draw
 };
 
 }  // namespace reeve::sizing

@@ -200,7 +200,7 @@ std::vector<GoalProfile> goal_profiles(const SizingProblem& problem, const Sizin
     for (const double place : places(spans[i], point[i])) {
       there[i] = place;
       try {
-        profile.goals.push_back(problem.goal(there));
+        profile.goals.push_back(problem.told_goal(there));
         profile.values.push_back(place);
       } catch (const OutOfRange&) {
         continue;

@@ -1,6 +1,7 @@
 #include "studies/exploration_study.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "catalog/catalogue.hpp"
@@ -71,6 +72,15 @@ ExploreReport with_distributions(const ExploreOptions& options, ExploreResult re
   return report;
 }
 
+// Of one finger fewer the drawing would not jam.
+std::optional<ShownRouting> jammed_first(const ExploreReport& report, const Catalogue& catalogue) {
+  const std::vector<ListedDesign>& listed = listed_designs(report);
+  if (listed.empty() || listed.front().smallest_jams.empty()) return std::nullopt;
+  const GraspSet grasp{{listed.front().smallest_jams.front(), 1}};
+  return shown_routing(listed.front().routing, report.options.model, grasp, Direction::pull,
+                       catalogue);
+}
+
 }  // namespace
 
 Checkpoint checkpoint_in(ExplorationStore& store, std::chrono::seconds every) {
@@ -102,6 +112,18 @@ const std::vector<ListedDesign>& listed_designs(const ExploreReport& report) {
   return report.front.size() > report.top.size() ? report.front : report.top;
 }
 
+std::size_t distinct_on_front(const ExploreReport& report) {
+  std::set<std::vector<double>> sets;
+  for (const ListedDesign& design : report.front) {
+    std::vector<double> set;
+    for (const Objective objective : report.options.order.objectives) {
+      set.push_back(value(design.ranked.design.values, objective));
+    }
+    sets.insert(std::move(set));
+  }
+  return sets.size();
+}
+
 ExploreReport explore_report(const ExploreOptions& options, ExploreResult result,
                              const DrawnDesigns& drawn, const Catalogue& catalogue) {
   ExploreReport report;
@@ -114,7 +136,7 @@ ExploreReport explore_report(const ExploreOptions& options, ExploreResult result
   const std::vector<std::size_t> shared = places(ranked, options.order);
   const auto listed = [&](std::vector<RankedDesign> designs, std::vector<Routing> routings) {
     std::vector<ListedDesign> list =
-        list_designs(std::move(designs), std::move(routings), drawn, catalogue);
+        list_designs(std::move(designs), std::move(routings), drawn, options.model, catalogue);
     mark_equivalent(list, equivalent);
     mark_places(list, shared);
     return list;
@@ -124,7 +146,12 @@ ExploreReport explore_report(const ExploreOptions& options, ExploreResult result
   std::vector<ListedDesign>& longer = front_is_longer ? report.front : report.top;
   shorter = listed(std::move(first), {result.routings.begin(), end_of_first});
   longer = listed(std::move(ranked), std::move(result.routings));
-  report.ladder = list_ladder(result.ladder, longer, options.prices, catalogue);
+  report.robust_first = robust_first(longer, options.order);
+  report.ladder =
+      list_ladder(result.ladder, longer, options.order, options.model, options.prices, catalogue);
+  add_bars(report.ladder, {options.model, options.grasps, options.score, options.prices},
+           catalogue);
+  report.jammed_first = jammed_first(report, catalogue);
   report.reference_names = names_of(options.references, catalogue);
   report.result = std::move(result);
   return report;
@@ -178,6 +205,11 @@ void add_sweep(ExploreReport& report, const SweepOptions& options,
   report.sweep_over = options.over;
   if (report.result.partial || report.draws_stopped) return;
   report.sweep = swept_designs(designs_to_sweep(report), options, supervision);
+}
+
+void add_motor(ExploreReport& report, const UncertaintyOptions& drawn) {
+  if (report.result.partial || listed_designs(report).empty()) return;
+  report.motor = motor_force(listed_designs(report).front().routing, drawn);
 }
 
 }  // namespace reeve::studies

@@ -9,10 +9,13 @@
 #include "catalog/catalogue.hpp"
 #include "search/checkpoint.hpp"
 #include "search/explore.hpp"
+#include "search/uncertainty/motor_force.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 #include "store/exploration_store.hpp"
 #include "studies/listed_design.hpp"
+#include "studies/shown_routing.hpp"
 #include "studies/study_supervision.hpp"
+#include "studies/target_study.hpp"
 
 namespace reeve::studies {
 
@@ -23,6 +26,12 @@ struct ExploreReport {
   std::vector<ListedDesign> top;
   std::vector<std::string> reference_names;  // parallel to result.references
   ListedLadder ladder;
+  std::optional<RobustFirst> robust_first = std::nullopt;
+  std::optional<MotorForce> motor{};     // of the first, with a hand
+  std::vector<double> target_shares{};   // empty: no target
+  std::optional<TargetReport> target{};  // only where one was asked for
+  // The first design in the smallest grasp in which it jams, if there is one.
+  std::optional<ShownRouting> jammed_first = std::nullopt;
   // Only where uncertainty was asked for.
   std::optional<UncertaintyOptions> uncertainty;
   bool draws_stopped = false;               // before there were distributions
@@ -33,6 +42,9 @@ struct ExploreReport {
 
 // The longer of top and front: both are the beginning of one ranking.
 const std::vector<ListedDesign>& listed_designs(const ExploreReport& report);
+
+// How many different sets of values of the objectives the front has; variants share theirs.
+std::size_t distinct_on_front(const ExploreReport& report);
 
 // The catalogue's routings with as many fingers as the options ask for, as the generator writes
 // them.
@@ -73,6 +85,9 @@ std::vector<ListedDesign> designs_to_sweep(const ExploreReport& report);
 // Of these designs; no sweep if it was stopped now or before.
 void add_sweep(ExploreReport& report, const SweepOptions& options,
                const StudySupervision& supervision);
+
+// Of the first design; none if the exploration was stopped.
+void add_motor(ExploreReport& report, const UncertaintyOptions& drawn);
 
 // Keeps an exploration in a store while it runs. Goes on where the store ends; saves when so long
 // has passed since the last time, or when many designs have gathered. The store has to outlive it.

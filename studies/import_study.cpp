@@ -137,6 +137,11 @@ void validate_labels(const LoggedSeries& series, const std::vector<LogLabels>& l
 
 }  // namespace
 
+void require_labels(const LoggedSeries& series, const ImportLabels& given,
+                    const RoutingResolver& resolve) {
+  validate_labels(series, filled_in(series, given), resolve);
+}
+
 ImportReport import_study(LoggedSeries series, const ImportLabels& given,
                           const SteadyOptions& options, const RoutingResolver& resolve) {
   ImportReport report;

@@ -31,4 +31,8 @@ struct ImportReport {
 ImportReport import_study(LoggedSeries series, const ImportLabels& given,
                           const SteadyOptions& options, const RoutingResolver& resolve);
 
+// Throws what import_study would throw of the labels.
+void require_labels(const LoggedSeries& series, const ImportLabels& given,
+                    const RoutingResolver& resolve);
+
 }  // namespace reeve::studies

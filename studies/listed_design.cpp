@@ -5,21 +5,50 @@
 #include <utility>
 
 #include "catalog/catalogue.hpp"
+#include "core/bars.hpp"
+#include "core/canonical.hpp"
 #include "core/notation.hpp"
+#include "search/evaluate/evaluation.hpp"
 
 namespace reeve::studies {
+namespace {
+
+std::optional<ListedDesign> first_that_never_jams(const std::vector<ListedDesign>& listed,
+                                                  const Order& order) {
+  std::vector<Design> designs;
+  std::vector<const ListedDesign*> listed_as;
+  for (const ListedDesign& design : listed) {
+    if (value(design.ranked.design.values, Objective::jams_all) > 0) continue;
+    designs.push_back(design.ranked.design);
+    listed_as.push_back(&design);
+  }
+  if (designs.empty()) return std::nullopt;
+  return *listed_as[rank(std::move(designs), order).front().given];
+}
+
+double low_quantile(const ListedDesign& design) {
+  if (design.decisive) return design.decisive->low;
+  const ObjectiveValues& values = design.ranked.design.values;
+  return value(values, Objective::uniformity_p5) * value(values, Objective::efficiency_p5);
+}
+
+}  // namespace
 
 std::vector<ListedDesign> list_designs(std::vector<RankedDesign> ranked,
                                        std::vector<Routing> routings, const DrawnDesigns& drawn,
-                                       const Catalogue& catalogue) {
+                                       const Model& model, const Catalogue& catalogue) {
+  DesignEvaluator evaluator(model, {});
   std::vector<ListedDesign> designs;
   designs.reserve(ranked.size());
   for (std::size_t i = 0; i < ranked.size(); ++i) {
     std::string name = name_of(catalogue, routings[i]);
+    std::vector<Grasp> smallest_jams = evaluator.smallest_jams(routings[i]);
     designs.push_back(
         {std::move(ranked[i]), std::move(routings[i]), std::move(name), std::nullopt});
+    designs.back().smallest_jams = std::move(smallest_jams);
     if (!drawn.ranks.empty()) designs.back().distribution = drawn.ranks[i];
     if (!drawn.bands.empty()) designs.back().bands = drawn.bands[i];
+    if (!drawn.decisive.empty()) designs.back().decisive = drawn.decisive[i];
     if (!drawn.constraints_met.empty()) designs.back().constraints_met = drawn.constraints_met[i];
   }
   return designs;
@@ -38,11 +67,33 @@ void mark_equivalent(std::vector<ListedDesign>& designs, const std::vector<std::
   }
 }
 
+std::optional<RobustFirst> robust_first(const std::vector<ListedDesign>& designs,
+                                        const Order& order) {
+  if (designs.empty()) return std::nullopt;
+  const bool over_draws = designs.front().decisive.has_value();
+  if (order.by_score && !over_draws) return std::nullopt;
+  const ListedDesign* robust = &designs.front();
+  for (const ListedDesign& design : designs) {
+    if (low_quantile(design) > low_quantile(*robust)) robust = &design;
+  }
+  const auto as_robust = [&](const ListedDesign& design) {
+    return RobustDesign{design, decisive_value(design.ranked.design.values, order),
+                        low_quantile(design)};
+  };
+  return RobustFirst{as_robust(designs.front()), as_robust(*robust), order.by_score, over_draws};
+}
+
 ListedLadder list_ladder(const Ladder& ladder, const std::vector<ListedDesign>& listed,
+                         const Order& order, const Model& model,
                          const std::optional<PartPrices>& prices, const Catalogue& catalogue) {
+  DesignEvaluator evaluator(model, {});
   std::map<std::string_view, const ListedDesign*> by_word;
   for (const Rung& rung : ladder.rungs) by_word[rung.design.word] = nullptr;
   if (ladder.affordable) by_word[ladder.affordable->word] = nullptr;
+  if (ladder.choice) {
+    by_word[ladder.choice->without.word] = nullptr;
+    by_word[ladder.choice->with.word] = nullptr;
+  }
   for (const ListedDesign& design : listed) {
     const auto found = by_word.find(design.ranked.design.word);
     if (found != by_word.end()) found->second = &design;
@@ -51,12 +102,31 @@ ListedLadder list_ladder(const Ladder& ladder, const std::vector<ListedDesign>& 
     const ListedDesign* found = by_word.at(design.word);
     if (found != nullptr) return *found;
     const Routing routing = parse_routing(design.word);
-    return {{design}, routing, name_of(catalogue, routing), std::nullopt};
+    ListedDesign unlisted{{design}, routing, name_of(catalogue, routing), std::nullopt};
+    unlisted.smallest_jams = evaluator.smallest_jams(routing);
+    return unlisted;
   };
-  ListedLadder result{ladder, {}, std::nullopt, prices ? prices->unit : ""};
+  ListedLadder result;
+  result.ladder = ladder;
+  result.cost_unit = prices ? prices->unit : "";
   for (const Rung& rung : ladder.rungs) result.rungs.push_back(as_listed(rung.design));
   if (ladder.affordable) result.affordable = as_listed(*ladder.affordable);
+  if (ladder.choice) {
+    result.choice = {as_listed(ladder.choice->without), as_listed(ladder.choice->with)};
+  }
+  result.never_jams = first_that_never_jams(listed, order);
   return result;
+}
+
+void add_bars(ListedLadder& ladder, const EvaluatedBy& by, const Catalogue& catalogue) {
+  if (!ladder.choice) return;
+  const std::optional<Routing> barred = with_bars(ladder.choice->with.routing);
+  if (!barred) return;
+  const Routing routing = canonical(*barred, FingerIdentity::distinct);
+  DesignEvaluator evaluator(by.model, by.grasps, by.score, by.prices);
+  const Design design{to_word(routing), evaluator.evaluate(routing)};
+  ladder.with_bars = {{design}, routing, name_of(catalogue, routing), std::nullopt};
+  ladder.with_bars->smallest_jams = evaluator.smallest_jams(routing);
 }
 
 std::optional<SweptDesigns> swept_designs(const std::vector<ListedDesign>& designs,

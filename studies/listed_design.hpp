@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
+#include "causes/model.hpp"
 #include "core/canonical.hpp"
+#include "core/grasp.hpp"
 #include "core/part_prices.hpp"
 #include "core/routing.hpp"
 #include "search/rank/ladder.hpp"
@@ -31,6 +33,10 @@ struct ListedDesign {
   std::size_t place = 0;  // its rank, but that designs that are equal share the first of theirs
   // Share of the draws in which it meets all constraints: only where there are both.
   std::optional<double> constraints_met = std::nullopt;
+  // Over the draws, what orders designs within a front: only where uncertainty was asked for.
+  std::optional<Band> decisive = std::nullopt;
+  // The smallest sets of held fingers with which it jams (core/tension/jamming.hpp).
+  std::vector<Grasp> smallest_jams = {};
 };
 
 // A ladder with what is known of its designs. Ranks and fronts are 0 where they are beyond the
@@ -39,13 +45,19 @@ struct ListedLadder {
   Ladder ladder;
   std::vector<ListedDesign> rungs;  // parallel to the ladder's
   std::optional<ListedDesign> affordable;
+  std::optional<BlockChoice<ListedDesign>> choice;  // only where the ladder has one
+  // The choice with floating blocks, with bars in place of them where they can be.
+  std::optional<ListedDesign> with_bars;
   std::string cost_unit;  // of the prices; "" if there are none, or nobody says
+  // Of the listed designs that jam in no grasp the one that is first among these.
+  std::optional<ListedDesign> never_jams = std::nullopt;
 };
 
-// `routings` begins parallel to `ranked`, and so is what was drawn, or it is empty.
+// `routings` begins parallel to `ranked`, and so is what was drawn, or it is empty. The model is
+// that by which they were evaluated.
 std::vector<ListedDesign> list_designs(std::vector<RankedDesign> ranked,
                                        std::vector<Routing> routings, const DrawnDesigns& drawn,
-                                       const Catalogue& catalogue);
+                                       const Model& model, const Catalogue& catalogue);
 
 // Of a ranking that begins with these designs: search/rank/equivalent.hpp.
 void mark_places(std::vector<ListedDesign>& designs, const std::vector<std::size_t>& places);
@@ -53,9 +65,43 @@ void mark_places(std::vector<ListedDesign>& designs, const std::vector<std::size
 // Likewise: search/rank/equivalent.hpp.
 void mark_equivalent(std::vector<ListedDesign>& designs, const std::vector<std::size_t>& firsts);
 
+// Two answers where numbers are uncertain: the design that is first at the nominal coefficients,
+// and the one that is best in 5 % of the worst cases. `value` is what orders designs within a front
+// (decisive_value), `p5` its 5 % quantile over the draws of coefficients. Without draws it is that
+// over contacts that are not alike, uniformity_p5 × efficiency_p5.
+struct RobustDesign {
+  ListedDesign design;
+  double value = 0;
+  double p5 = 0;
+};
+
+struct RobustFirst {
+  RobustDesign nominal;
+  RobustDesign robust;  // the same one if none has a greater quantile
+  bool by_score = false;
+  bool over_draws = false;
+};
+
+// Of a ranking. Nothing of nothing, and of the score without draws. Designs that are alike at the
+// nominal coefficients need not be so where contacts are not, so all of them are looked at.
+std::optional<RobustFirst> robust_first(const std::vector<ListedDesign>& designs,
+                                        const Order& order);
+
 // `listed` is where ranks are looked up.
 ListedLadder list_ladder(const Ladder& ladder, const std::vector<ListedDesign>& listed,
+                         const Order& order, const Model& model,
                          const std::optional<PartPrices>& prices, const Catalogue& catalogue);
+
+// What a ladder of designs was evaluated by.
+struct EvaluatedBy {
+  const Model& model;
+  const GraspSet& grasps;
+  const Score& score;
+  const std::optional<PartPrices>& prices;
+};
+
+// Adds what bars in place of its floating blocks make of the ladder's choice.
+void add_bars(ListedLadder& ladder, const EvaluatedBy& by, const Catalogue& catalogue);
 
 // Listed designs over one coefficient.
 struct SweptDesigns {

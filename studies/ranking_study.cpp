@@ -37,8 +37,10 @@ RankDetails details(const RankRequest& request, const std::vector<RankedDesign>&
                     const std::vector<Routing>& routings, const Catalogue& catalogue) {
   RankDetails details{best_by_objective(designs, designs.size()), {}, {}};
   for (const Routing& routing : routings) {
-    details.routings.push_back(
-        shown_routing(routing, request.model, request.grasps, Direction::pull, catalogue));
+    ShownRouting shown =
+        shown_routing(routing, request.model, request.grasps, Direction::pull, catalogue);
+    if (shown.hand) shown.hand->drawn = motor_force(routing, uncertainty_of(request));
+    details.routings.push_back(std::move(shown));
   }
   return details;
 }
@@ -75,13 +77,15 @@ std::optional<RankReport> ranking_study(const RankRequest& request, const Catalo
     report.margins = margins(routings, options, {{}, supervision.stop});
     if (!report.margins) return std::nullopt;
   }
-  report.designs = list_designs(designs, routings, drawn, catalogue);
+  report.designs = list_designs(designs, routings, drawn, request.model, catalogue);
   // Fingers are told apart here: a finger of another number is no superfluous bearing.
   mark_equivalent(report.designs,
                   first_equivalent(designs, routings, request.order, FingerIdentity::distinct));
   mark_places(report.designs, places(designs, request.order));
-  report.ladder =
-      list_ladder(ladder_of(request, designs), report.designs, request.prices, catalogue);
+  report.robust_first = robust_first(report.designs, request.order);
+  report.ladder = list_ladder(ladder_of(request, designs), report.designs, request.order,
+                              request.model, request.prices, catalogue);
+  report.motor = motor_force(routings.front(), uncertainty_of(request));
   report.prices = request.prices;
   if (request.sweep) {
     const SweepOptions options{uncertainty_of(request), request.draws.has_value(), *request.sweep};

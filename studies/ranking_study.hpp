@@ -15,6 +15,7 @@
 #include "search/evaluate/score.hpp"
 #include "search/rank/ranking.hpp"
 #include "search/uncertainty/margin.hpp"
+#include "search/uncertainty/motor_force.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 #include "studies/listed_design.hpp"
 #include "studies/shown_routing.hpp"
@@ -65,6 +66,8 @@ struct RankReport {
   UncertaintyRanges ranges;  // of either
   std::optional<RankDetails> details;
   ListedLadder ladder;
+  std::optional<RobustFirst> robust_first;
+  std::optional<MotorForce> motor{};  // of the first, with a hand
   std::optional<PartPrices> prices;
   std::optional<SweptDesigns> sweep = std::nullopt;  // only where it was asked for
 };

@@ -7,6 +7,7 @@
 
 #include "causes/model_solver.hpp"
 #include "core/hand_closing.hpp"
+#include "search/evaluate/objectives.hpp"
 
 namespace reeve::studies {
 namespace {
@@ -49,6 +50,8 @@ void add_greatest_force(const Hand& hand, const std::vector<ShownHandGrasp>& gra
     demand.weakest = shown.weakest;
     demand.grasp = shown.grasp;
   }
+  // As the objective motor_force, so that both are the same number.
+  demand.force_N = on_grid(demand.force_N);
   demand.joint = asking_joint(hand.finger(demand.weakest));
 }
 

@@ -1,7 +1,7 @@
 // What one routing makes of a hand: forces at the fingertips, and what they ask of the motor.
 //
 //   motor force F     least motor tension at which every finger presses with its wanted force in
-//                     every grasp (core/hand.hpp)
+//                     every grasp (core/hand.hpp), at the nominal coefficients
 //   stroke D          of the carriage from the open hand (core/hand_closing.hpp)
 //   speed             D over the time to close
 //   work, power       F D, and F times the speed: at most, if the hand closes against F all the way
@@ -24,6 +24,7 @@
 #include "core/hand_closing.hpp"
 #include "core/mechanics.hpp"
 #include "core/network.hpp"
+#include "search/uncertainty/motor_force.hpp"
 
 namespace reeve::studies {
 
@@ -116,6 +117,9 @@ struct ShownHand {
   std::vector<ShownHandGrasp> grasps;
   MotorDemand demand;
   MotorParts motor;
+  // The motor force with its quantile over draws, where somebody asked for it; its nominal one is
+  // that of the demand.
+  std::optional<MotorForce> drawn{};
   // Of the motor's own force and stroke, where they are given (motor_reach.hpp).
   std::optional<ForceReach> force_reach{};
   std::optional<StrokeReach> stroke_reach{};

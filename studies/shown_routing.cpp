@@ -26,7 +26,9 @@ ShownRouting shown_routing(const Routing& routing, const Model& model, const Gra
     report.grasps.push_back({weighted.grasp, state, performance(report.network, state, direction)});
   }
   report.prices = prices;
-  report.values = DesignEvaluator(model, grasps, authors_score(), prices).evaluate(routing);
+  DesignEvaluator evaluator(model, grasps, authors_score(), prices);
+  report.values = evaluator.evaluate(routing);
+  report.smallest_jams = evaluator.smallest_jams(routing);
   report.hand = shown_hand(report.network, report.word, report.model, grasps);
   return report;
 }

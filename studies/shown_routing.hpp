@@ -35,7 +35,8 @@ struct ShownRouting {
   std::uint64_t unconverged = 0;  // tension solves
   Network network;
   std::vector<ShownGrasp> grasps;
-  ObjectiveValues values{};  // over these grasps
+  ObjectiveValues values{};            // over these grasps
+  std::vector<Grasp> smallest_jams{};  // of all grasps (core/tension/jamming.hpp)
   std::optional<ShownHand> hand;
   std::optional<PartPrices> prices{};  // without them the cost among the values is infinite
 };

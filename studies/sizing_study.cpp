@@ -31,13 +31,6 @@ void sort(std::vector<SizedRouting>& designs, GoalOf of, Better better) {
   });
 }
 
-// A hand holds in any grasp, whatever dimensions were chosen in.
-GraspSet shown_grasps(const SizingOptions& options, const Routing& routing) {
-  const bool only_open = options.grasps.size() == 1 && options.grasps.front().grasp == Grasp{};
-  return options.goal.is_target() && only_open ? single_grasps(finger_count(routing))
-                                               : options.grasps;
-}
-
 }  // namespace
 
 std::vector<Routing> explored_designs(const std::filesystem::path& folder, std::size_t count) {
@@ -117,11 +110,12 @@ SizingDetails sizing_details(const SizingReport& report, const Catalogue& catalo
   const SizedDesign& best = report.designs.front().design;
   Model sized = options.nominal;
   sized.hardware = best.hardware;
-  const GraspSet grasps = shown_grasps(options, best.routing);
   const auto shown = [&](const Model& model) {
-    return shown_routing(best.routing, model, grasps, Direction::pull, catalogue);
+    return shown_routing(best.routing, model, options.grasps, Direction::pull, catalogue);
   };
   SizingDetails details{shown(options.nominal), shown(sized), {}};
+  if (details.before.hand) details.before.hand->drawn = best.before.motor;
+  if (details.sized.hand) details.sized.hand->drawn = best.after.motor;
   if (report.partial) return details;
   std::vector<double> point;
   std::vector<Interval> spans;

@@ -33,7 +33,7 @@ struct SizedRouting {
 };
 
 // Of the best design, for a page: the hand that it makes, before and sized, and how the goal goes
-// about it. Shown in the grasps of the goal; of a target of the open hand also with each one held.
+// about it. Shown in the grasps that are asked.
 struct SizingDetails {
   ShownRouting before;
   ShownRouting sized;

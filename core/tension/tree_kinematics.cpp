@@ -170,7 +170,59 @@ TreeState solve_with(const Network& network, const Mechanics& mechanics, Grasp g
   return write_closings(network, grasp, tree, found, closing);
 }
 
+// λ is what is at right angles to every block's take-ups.
+template <int Most>
+bool balanced_ratios(const Network& network, const Mechanics& mechanics, std::size_t tree,
+                     const TreeColumns& columns, std::vector<double>& ratios) {
+  using Common = CommonClosing<Most>;
+  if (columns.tendons != columns.blocks + 1) return false;
+  typename Common::Matrix take_ups = Common::Matrix::Zero(columns.tendons, columns.blocks);
+  Eigen::Index row = 0;
+  for (const TendonSpan& tendon : network.tendons) {
+    if (tendon.tree != tree) continue;
+    for_each_pull(network, tendon, [&](std::size_t, std::size_t block, double sign, double weight) {
+      take_ups(row, columns.of_block[block]) += sign * weight;
+    });
+    ++row;
+  }
+  const Eigen::ColPivHouseholderQR<typename Common::Matrix> qr(take_ups);
+  if (qr.rank() < columns.blocks) return false;
+  typename Common::Vector balance = Common::Vector::Unit(columns.tendons, columns.blocks);
+  balance.applyOnTheLeft(qr.householderQ());
+  double motor = 0;
+  ratios.assign(static_cast<std::size_t>(network.fingers), 0.0);
+  row = 0;
+  for (const TendonSpan& tendon : network.tendons) {
+    if (tendon.tree != tree) continue;
+    for_each_term(
+        network, tendon, Grasp{}, [&](double length) { motor += balance(row) * length; },
+        [&](int finger, double factor) {
+          ratios[static_cast<std::size_t>(finger) - 1] +=
+              balance(row) * factor * closing_weight(mechanics, finger);
+        },
+        [](std::size_t, double) {});
+    ++row;
+  }
+  if (std::abs(motor) < length_tolerance) return false;
+  for (double& ratio : ratios) {
+    ratio /= motor;
+    if (std::abs(ratio) < length_tolerance) ratio = 0;
+    if (ratio < 0) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+bool travel_ratios(const Network& network, const Mechanics& mechanics, std::size_t tree,
+                   std::vector<double>& ratios) {
+  constexpr int small = 8;
+  const TreeColumns columns(network, tree);
+  if (columns.tendons <= small && columns.blocks < small) {
+    return balanced_ratios<small>(network, mechanics, tree, columns, ratios);
+  }
+  return balanced_ratios<Eigen::Dynamic>(network, mechanics, tree, columns, ratios);
+}
 
 TreeState solve_tree_kinematics(const Network& network, const Mechanics& mechanics, Grasp grasp,
                                 std::size_t tree, std::vector<double>& closing,

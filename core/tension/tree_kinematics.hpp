@@ -89,6 +89,14 @@ void for_each_term(const Network& network, const TendonSpan& tendon, Grasp grasp
   });
 }
 
+// Where the tendons settle every block's motion for themselves (one block less than tendons, all
+// independent), they are in balance without friction at tensions λ alone, and a common dl follows
+// from the work of these: dl = 1 / Σ_f r_f over the fingers that close, r_f = w_f λ·c_f / λ·m, with
+// c_f and m a dl of finger f and the motor sides in each tendon's equation. Writes the r_f of
+// fingers 1 … n, 0 of those of other trees. False where that does not hold, or where r_f < 0.
+bool travel_ratios(const Network& network, const Mechanics& mechanics, std::size_t tree,
+                   std::vector<double>& ratios);
+
 // Writes the tree's part of `closing` (of fingers 1 … n) and of `block_travel` (of the network's
 // blocks), both for a pull.
 TreeState solve_tree_kinematics(const Network& network, const Mechanics& mechanics, Grasp grasp,

@@ -5,12 +5,13 @@
 
 #include "core/mechanics.hpp"
 #include "search/enumerate/checked.hpp"
+#include "search/enumerate/field_parts.hpp"
 
 namespace reeve::search {
 namespace {
 
-// About a second.
-constexpr int looked_at = 1'000'000;
+// About two seconds; all that are explored unasked.
+constexpr std::uint64_t looked_at = most_of_identical_fingers;
 
 // Segments that are no strand have numbers in walk order, and only blocks make those at the hand.
 bool may_touch(const ContactHardware& contact, const PartSet& parts) {
@@ -31,7 +32,7 @@ std::vector<std::string> impossible_contacts(const Hardware& hardware,
   RoutingGenerator generator(options);
   Routing routing;
   Network network;
-  for (int i = 0; i < looked_at && !missing.empty() && generator.next(routing); ++i) {
+  for (std::uint64_t i = 0; i < looked_at && !missing.empty() && generator.next(routing); ++i) {
     if (!is_actuated(routing)) continue;
     expand(routing, network);
     const std::vector<std::string> here = builder.unmatched_contacts(network);

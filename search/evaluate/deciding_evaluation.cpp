@@ -59,8 +59,9 @@ void add_value(double share, const OutlinedValue& value, OutlinedPerformance& su
   sum.worst.efficiency = std::min(sum.worst.efficiency, value.efficiency);
 }
 
+// Jams need no more than the trees.
 bool are_of_strands(const EvaluationScope& scope) {
-  return scope == EvaluationScope{false, false, false};
+  return scope == EvaluationScope{false, false, false, scope.jamming, false};
 }
 
 std::vector<Objective> with_terms(std::vector<Objective> wanted, const Score& score) {
@@ -263,6 +264,17 @@ std::optional<Estimate> DecidingEvaluator::estimate(const Routing& routing) {
   return result;
 }
 
+// As of JamFinder.
+double DecidingEvaluator::jams_all() const {
+  double moving = 1;
+  int fingers = 0;
+  for (std::size_t t = 0; t < spans_.size(); ++t) {
+    moving *= (*trees_)[t]->moving_sets;
+    fingers += spans_[t].fingers;
+  }
+  return std::ldexp(1.0, fingers) - 1 - moving;
+}
+
 // False where that cannot be, or where a figure leaves the range of a double.
 bool DecidingEvaluator::combine(const Routing& routing) {
   if (!split_into_trees(routing, spans_)) return false;
@@ -275,6 +287,7 @@ bool DecidingEvaluator::combine(const Routing& routing) {
   outcome_.parts = {};
   for (const SolvedTrees* tree : *trees_) outcome_.parts += tree->outline.parts;
   outcome_.travel = travel();
+  outcome_.jams_all = jams_all();
   if (prices_) outcome_.cost = cost(outcome_.parts, tendon_length(), *prices_);
   return true;
 }

@@ -96,6 +96,7 @@ class DecidingEvaluator {
   Performance performance_at(double motor, bool jams) const;
   FingerPulls finger_pulls_at(double motor, bool jams) const;
   double travel() const;
+  double jams_all() const;
   void add_parts();
   double tendon_length() const;
 

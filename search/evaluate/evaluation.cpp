@@ -27,7 +27,9 @@ EvaluationScope scope_for(const std::vector<Objective>& objectives, const Score&
   const bool hand = std::any_of(rows.begin(), rows.end(), [&](const ObjectiveRow& row) {
     return row.of_hand && counts(row.objective);
   });
-  return {counts(Objective::round_trip_efficiency), any_of_terms(authors_score(), counts), hand};
+  return {counts(Objective::round_trip_efficiency), any_of_terms(authors_score(), counts), hand,
+          counts(Objective::jams_all),
+          counts(Objective::uniformity_p5) || counts(Objective::efficiency_p5)};
 }
 
 bool may_not_converge(const Model& model) {
@@ -143,13 +145,52 @@ const DesignOutcome& DesignEvaluator::outcome(const Routing& routing,
   return outcome_;
 }
 
-void DesignEvaluator::find_outcome(const Routing& routing, const EvaluationScope& scope) {
+// A seized contact splits it.
+const Network& DesignEvaluator::moving_network() const {
+  return model_solver_ ? model_solver_->network() : network_;
+}
+
+const Mechanics& DesignEvaluator::moving_mechanics() const {
+  return model_solver_ ? model_solver_->plain() : mechanics_;
+}
+
+std::vector<Grasp> DesignEvaluator::smallest_jams(const Routing& routing) {
+  set_routing(routing);
+  return jam_finder_.smallest(moving_network(), moving_mechanics());
+}
+
+void DesignEvaluator::set_routing(const Routing& routing) {
   expand(routing, network_);
   builder_.apply(network_, mechanics_);
   builder_.require_in_range(network_, mechanics_);
   if (model_solver_) {
-    model_solver_->set_routing(needs_word_ ? to_word(routing) : "", network_, mechanics_);
+    word_ = needs_word_ ? to_word(routing) : "";
+    model_solver_->set_routing(word_, network_, mechanics_);
   }
+}
+
+// A model that changes exponents does so with the drawn ones, too.
+ContactQuantiles DesignEvaluator::contact_quantiles() {
+  builder_.deviations(network_, deviations_);
+  const auto solve = [this](const Mechanics& drawn, Grasp grasp,
+                            bool again) -> const TensionState& {
+    if (model_solver_) {
+      model_solver_->set_routing(word_, network_, drawn);
+      return require_in_range(model_solver_->solve(grasp, Direction::pull, model_->conditions),
+                              grasp);
+    }
+    if (again) {
+      solver_.solve_again(network_, drawn, grasp, Direction::pull, state_);
+    } else {
+      solver_.solve(network_, drawn, grasp, Direction::pull, state_);
+    }
+    return require_in_range(state_, grasp);
+  };
+  return contact_finder_.find(network_, mechanics_, deviations_, grasps_, solve);
+}
+
+void DesignEvaluator::find_outcome(const Routing& routing, const EvaluationScope& scope) {
+  set_routing(routing);
   is_shared_ = shared_ && shared_->set_routing(routing);
   if (scope.indicators) given_up_equivalent_ = closing_alike_.given_up(network_);
   outcome_.grasps.clear();
@@ -157,6 +198,8 @@ void DesignEvaluator::find_outcome(const Routing& routing, const EvaluationScope
   outcome_.parts = parts(network_);
   outcome_.travel = travel();
   if (prices_) outcome_.cost = cost(outcome_.parts, tendon_length(mechanics_), *prices_);
+  outcome_.jams_all = scope.jamming ? jam_finder_.grasps(moving_network(), moving_mechanics()) : 0;
+  outcome_.where_contacts_scatter = scope.contacts ? contact_quantiles() : ContactQuantiles{};
   outcome_.hand = evaluates_hand(scope) ? hand_outcome() : HandOutcome{};
 }
 

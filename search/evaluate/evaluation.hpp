@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "causes/model.hpp"
@@ -15,7 +16,9 @@
 #include "core/mechanics.hpp"
 #include "core/network.hpp"
 #include "core/part_prices.hpp"
+#include "core/tension/jamming.hpp"
 #include "core/tension/tension.hpp"
+#include "search/evaluate/contact_quantiles.hpp"
 #include "search/evaluate/objectives.hpp"
 #include "search/evaluate/score.hpp"
 #include "search/evaluate/shared_states.hpp"
@@ -28,6 +31,8 @@ struct EvaluationScope {
   bool release = true;     // return friction; a second tension solve in each grasp
   bool indicators = true;  // core/indicators.hpp, and a score made of them
   bool hand = true;        // core/hand, of a hardware with a hand
+  bool jamming = true;     // core/tension/jamming.hpp, in all grasps
+  bool contacts = true;    // contact_quantiles.hpp; some dozens of tension solves in each grasp
 
   friend bool operator==(const EvaluationScope&, const EvaluationScope&) = default;
 };
@@ -60,6 +65,9 @@ class DesignEvaluator {
 
   ObjectiveValues evaluate(const Routing& routing, const EvaluationScope& scope = {});
 
+  // The smallest sets of held fingers with which it jams (core/tension/jamming.hpp).
+  std::vector<Grasp> smallest_jams(const Routing& routing);
+
   // Solves so far that did not converge: friction that depends on the tension, and forces that eat
   // nearly all of it. Their figures are then approximate.
   std::size_t unconverged() const { return unconverged_; }
@@ -67,12 +75,16 @@ class DesignEvaluator {
   bool may_not_converge() const { return model_solver_.has_value(); }
 
  private:
+  void set_routing(const Routing& routing);
   void find_outcome(const Routing& routing, const EvaluationScope& scope);
+  const Network& moving_network() const;
+  const Mechanics& moving_mechanics() const;
   GraspOutcome in_grasp(const WeightedGrasp& grasp, const EvaluationScope& scope);
   const TensionState& solve(Grasp grasp, Direction direction);
   double travel();
   bool evaluates_hand(const EvaluationScope& scope) const;
   HandOutcome hand_outcome();
+  ContactQuantiles contact_quantiles();
 
   std::shared_ptr<const Model> model_;  // stays in place for the solver if this moves
   // Only where exponents or contacts are others than the hardware says; costs several solves.
@@ -93,6 +105,10 @@ class DesignEvaluator {
   ClosingAlike closing_alike_;
   double given_up_equivalent_ = 0;  // of the routing at hand, if indicators are asked for
   Motion motion_;
+  JamFinder jam_finder_;
+  ContactQuantileFinder contact_finder_;
+  std::vector<double> deviations_;  // of the contacts
+  std::string word_;                // if it is needed
   TensionState state_;
   DesignOutcome outcome_;
 };

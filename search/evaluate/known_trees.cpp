@@ -1,6 +1,7 @@
 #include "search/evaluate/known_trees.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace reeve::search {
 
@@ -46,6 +47,9 @@ void TreeSolver::solve(const Routing& tree, SolvedTrees& states) {
     if (segment.kind != SegmentKind::strand) continue;
     states.strand_finger.push_back(static_cast<std::uint8_t>(segment.finger - 1));
   }
+  // The grasp that holds all its fingers, which JamFinder leaves out, jams too.
+  states.moving_sets =
+      std::ldexp(1.0, network_.fingers) - 1 - jam_finder_.grasps(network_, mechanics_);
   states.outline.sums.clear();
   states.numbers_.clear();
   solve(Grasp{}, states);

@@ -16,6 +16,7 @@
 #include "core/mechanics.hpp"
 #include "core/network.hpp"
 #include "core/performance.hpp"
+#include "core/tension/jamming.hpp"
 #include "core/tension/tension.hpp"
 #include "search/evaluate/tendon_sums.hpp"
 #include "search/evaluate/tree_spans.hpp"
@@ -45,6 +46,7 @@ struct SolvedTrees {
   std::vector<double> length;               // of all segments
   std::vector<std::uint8_t> strand_finger;  // from 0
   std::size_t motor_sides = 0;
+  double moving_sets = 0;  // of its held fingers, with which it does not jam
 
   // 0: no finger held; f: finger f.
   SolvedTree in_state(std::size_t held) const;
@@ -71,6 +73,7 @@ class TreeSolver {
   Mechanics mechanics_;
   TensionSolver solver_;
   TensionState state_;
+  JamFinder jam_finder_;
 };
 
 class KnownTrees {

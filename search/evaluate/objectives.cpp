@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "core/error.hpp"
+#include "core/nearest_name.hpp"
 #include "core/text.hpp"
 
 namespace reeve::search {
@@ -72,6 +75,10 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
        return static_cast<double>(std::count_if(d.grasps.begin(), d.grasps.end(),
                                                 [](const GraspOutcome& g) { return g.jams; }));
      }},
+    {Objective::jams_all, "jams_all", "jams_all", "", "jams all", "grasps", Better::lower, 0, 5,
+     false,
+     "sets of held fingers, of all but that of all fingers, in which the carriage is blocked",
+     [](const DesignOutcome& d) { return d.jams_all; }},
     {Objective::sheaths, "sheaths", "sheaths", "", "sheaths", "parts", Better::lower, 0, 6, false,
      "sheaths between hand and motor: one for each M, two for each P",
      [](const DesignOutcome& d) { return static_cast<double>(d.parts.sheaths); }},
@@ -145,8 +152,15 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
     {Objective::cost, "cost", "cost", "", "cost", "1", Better::lower, 2, 2, true,
      "what the parts cost, in the unit of the prices",
      [](const DesignOutcome& d) { return d.cost; }},
-    {Objective::motor_force, "motor_force", "motor_force", "", "motor", "N", Better::lower, 1, 1,
-     true, "motor tension at which every finger presses with its wanted force in every grasp",
+    {Objective::uniformity_p5, "uniformity_p5", "uniformity_p5", "", "uniformity, 5 %", "1",
+     Better::higher, 3, 1, true,
+     "mean uniformity that 5 % of hands stay below, since no two contacts are alike",
+     [](const DesignOutcome& d) { return d.where_contacts_scatter.uniformity; }, 0, 1},
+    {Objective::efficiency_p5, "efficiency_p5", "efficiency_p5", "", "efficiency, 5 %", "1",
+     Better::higher, 3, 1, true, "mean efficiency, likewise",
+     [](const DesignOutcome& d) { return d.where_contacts_scatter.efficiency; }, 0, 1},
+    {Objective::motor_force, "motor_force", "motor_force", "", "nominal motor", "N", Better::lower,
+     1, 1, true, "motor tension at which every finger presses with its wanted force in every grasp",
      motor_force, 0, std::nullopt, true},
     {Objective::fingertip_force_mean, "fingertip_force_mean", "fingertip_force", "mean",
      "fingertip", "N/N", Better::higher, 3, 1, true,
@@ -168,10 +182,21 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
      motor_power, 0, std::nullopt, true},
 }};
 
-std::string names() {
-  std::string list;
-  for (const ObjectiveRow& row : table) list += (list.empty() ? "" : ", ") + std::string(row.name);
-  return list;
+// Each stands for its mean.
+constexpr std::array<std::string_view, 4> mean_families{"uniformity", "efficiency",
+                                                        "finger_uniformity", "fingertip_force"};
+
+std::vector<std::string> objective_names() {
+  std::vector<std::string> names;
+  for (const ObjectiveRow& row : table) names.emplace_back(row.name);
+  return names;
+}
+
+// Those that a user may write: of means the family alone, too.
+std::vector<std::string> names_for_objectives() {
+  std::vector<std::string> names = objective_names();
+  for (const std::string_view family : mean_families) names.emplace_back(family);
+  return names;
 }
 
 }  // namespace
@@ -204,8 +229,7 @@ void compute_objectives(const DesignOutcome& outcome, const std::vector<Objectiv
 }
 
 Objective parse_objective(const std::string& name, const std::string& option) {
-  if (name == "uniformity" || name == "efficiency" || name == "finger_uniformity" ||
-      name == "fingertip_force") {
+  if (std::find(mean_families.begin(), mean_families.end(), name) != mean_families.end()) {
     return parse_objective(name + "_mean", option);
   }
   for (const ObjectiveRow& row : table) {
@@ -214,7 +238,8 @@ Objective parse_objective(const std::string& name, const std::string& option) {
   throw InputError({.where = option,
                     .what = "unknown objective",
                     .value = name,
-                    .expected = fmt::format("one of {}", names()),
+                    .expected = fmt::format("one of {}{}", fmt::join(objective_names(), ", "),
+                                            did_you_mean(name, names_for_objectives())),
                     .form = InputForm::unknown});
 }
 

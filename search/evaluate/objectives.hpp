@@ -22,6 +22,7 @@ enum class Objective : std::uint8_t {
   efficiency_worst,
   force_transmission,
   jams,
+  jams_all,
   sheaths,
   pulleys,
   knots,
@@ -38,6 +39,8 @@ enum class Objective : std::uint8_t {
   finger_uniformity_worst,
   parts,
   cost,
+  uniformity_p5,
+  efficiency_p5,
   motor_force,
   fingertip_force_mean,
   fingertip_force_worst,
@@ -45,7 +48,7 @@ enum class Objective : std::uint8_t {
   closure,
   motor_power,
 };
-inline constexpr std::size_t objective_count = 28;
+inline constexpr std::size_t objective_count = 31;
 
 using ObjectiveValues = std::array<double, objective_count>;
 
@@ -69,6 +72,13 @@ struct GraspOutcome {
   GripDemand grip{};  // with a hand
 };
 
+// What is left of the means over the grasps where no two contacts are alike: their 5 % quantiles
+// (contact_quantiles.hpp).
+struct ContactQuantiles {
+  double uniformity = 0;
+  double efficiency = 0;
+};
+
 // Of a hand; 0 without one.
 struct HandOutcome {
   double stroke_mm = 0;  // infinite where no finger can close
@@ -86,6 +96,9 @@ struct DesignOutcome {
   // Of its parts; infinite where nobody says what they cost. (Not NaN: such values would not even
   // equal themselves.)
   double cost = std::numeric_limits<double>::infinity();
+  // Of all sets of held fingers but that of all fingers, those that jam (core/tension/jamming.hpp).
+  double jams_all = 0;
+  ContactQuantiles where_contacts_scatter{};
   HandOutcome hand{};
 };
 

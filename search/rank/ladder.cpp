@@ -79,31 +79,89 @@ std::optional<std::size_t> knee(const std::vector<Rung>& rungs) {
   return highest;
 }
 
-std::optional<Design> affordable(const std::vector<Design>& candidates, const Order& order,
-                                 const Ladder& ladder) {
+// Of both kinds of candidates those that none of the other kind matches or beats, either.
+std::vector<Design> undominated(const std::vector<Design>& candidates, const Order& order,
+                                Objective by) {
+  Archive front(with_measure(order, by), 1);
+  for (const Design& design : candidates) front.add(design);
+  std::vector<Design> designs;
+  for (RankedDesign& ranked : front.content().ranked) designs.push_back(std::move(ranked.design));
+  return designs;
+}
+
+void sort_by_measure(std::vector<Design>& designs, Objective by) {
+  std::sort(designs.begin(), designs.end(), [&](const Design& a, const Design& b) {
+    const double measure = value(a.values, by);
+    const double other = value(b.values, by);
+    return measure != other ? measure < other : a.word < b.word;
+  });
+}
+
+bool has_blocks(const Design& design) { return value(design.values, Objective::blocks) > 0; }
+
+// Of candidates in order of the measure those with least of it that lose no more than `within`.
+std::vector<Design> cheapest_within(const std::vector<Design>& candidates, const Ladder& ladder) {
   std::vector<Design> cheapest;
   for (const Design& design : candidates) {
     const double measure = value(design.values, ladder.options.by);
-    if (measure >= value(ladder.first.values, ladder.options.by)) break;
     if (!cheapest.empty() && measure > value(cheapest.front().values, ladder.options.by)) break;
-    if (greatest_loss(design.values, ladder) > ladder.options.within + rounding) continue;
+    if (!is_within(design.values, ladder)) continue;
     cheapest.push_back(design);
   }
-  if (cheapest.empty()) return std::nullopt;
-  return rank(std::move(cheapest), order).front().design;
+  return cheapest;
+}
+
+Design first_of(std::vector<Design> designs, const Order& order) {
+  return rank(std::move(designs), order).front().design;
+}
+
+std::optional<Design> affordable(const std::vector<Design>& candidates, const Order& order,
+                                 const Ladder& ladder) {
+  std::vector<Design> cheapest = cheapest_within(candidates, ladder);
+  const auto measure = [&](const Design& design) {
+    return value(design.values, ladder.options.by);
+  };
+  if (cheapest.empty() || measure(cheapest.front()) >= measure(ladder.first)) return std::nullopt;
+  return first_of(std::move(cheapest), order);
+}
+
+// Of candidates of one kind, at least one.
+Design chosen(std::vector<Design> candidates, const Order& order, const Ladder& ladder) {
+  std::vector<Design> cheapest = cheapest_within(candidates, ladder);
+  return first_of(cheapest.empty() ? std::move(candidates) : std::move(cheapest), order);
+}
+
+std::optional<BlockChoice<Design>> block_choice(const std::vector<Design>& candidates,
+                                                const Order& order, const Ladder& ladder) {
+  std::vector<Design> with;
+  std::vector<Design> without;
+  for (const Design& design : candidates) (has_blocks(design) ? with : without).push_back(design);
+  if (with.empty() || without.empty()) return std::nullopt;
+  return BlockChoice<Design>{chosen(std::move(without), order, ladder),
+                             chosen(std::move(with), order, ladder)};
 }
 
 }  // namespace
 
 LadderArchive::LadderArchive(const Order& order, Objective by)
-    : archive_(with_measure(order, by), 1) {}
+    : without_blocks_(with_measure(order, by), 1), with_blocks_(with_measure(order, by), 1) {}
 
-void LadderArchive::add(Design design) { archive_.add(std::move(design)); }
+const Archive& LadderArchive::front_of(const ObjectiveValues& values) const {
+  return value(values, Objective::blocks) > 0 ? with_blocks_ : without_blocks_;
+}
+
+void LadderArchive::add(Design design) {
+  Archive& front = has_blocks(design) ? with_blocks_ : without_blocks_;
+  front.add(std::move(design));
+}
 
 std::vector<Design> LadderArchive::candidates() {
   std::vector<Design> designs;
-  for (RankedDesign& ranked : archive_.content().ranked)
-    designs.push_back(std::move(ranked.design));
+  for (Archive* front : {&without_blocks_, &with_blocks_}) {
+    for (RankedDesign& ranked : front->content().ranked) {
+      designs.push_back(std::move(ranked.design));
+    }
+  }
   return designs;
 }
 
@@ -125,14 +183,17 @@ double loss(Objective objective, const ObjectiveValues& values, const ObjectiveV
                    : -std::numeric_limits<double>::infinity();
 }
 
+bool is_within(const ObjectiveValues& values, const Ladder& ladder) {
+  return greatest_loss(values, ladder) <= ladder.options.within + rounding;
+}
+
 Ladder ladder(std::vector<Design> candidates, const Design& first, const Order& order,
               const LadderOptions& options) {
   Ladder result{options, ranked_by(order), {}, first, std::nullopt, std::nullopt};
-  std::sort(candidates.begin(), candidates.end(), [&](const Design& a, const Design& b) {
-    const double measure = value(a.values, options.by);
-    const double other = value(b.values, options.by);
-    return measure != other ? measure < other : a.word < b.word;
-  });
+  sort_by_measure(candidates, options.by);
+  result.choice = block_choice(candidates, order, result);
+  candidates = undominated(candidates, order, options.by);
+  sort_by_measure(candidates, options.by);
   add_rungs(candidates, order, result);
   result.knee = knee(result.rungs);
   result.affordable = affordable(candidates, order, result);

@@ -4,7 +4,8 @@
 // The rung at k is the first, in the order of the ranking, of the designs with at most k; of those
 // that are equal in every ranked objective the one with least. A k at which no better one appears
 // has no rung. Candidates are the designs that no other one with as little of the measure matches
-// or beats in every ranked objective: the Pareto front over the ranked objectives and the measure.
+// or beats in every ranked objective: the Pareto front over the ranked objectives and the measure,
+// of the designs with floating blocks and of those without.
 //
 //   loss      of an objective, relative to the first design of the ranking: (v1 - v) / |v1|, where
 //             lower is better (v - v1) / |v1|; below 0 it is a gain
@@ -16,6 +17,8 @@
 //             Haystack", ICDCS Workshops, 2011, without its smoothing.)
 //   affordable  of the candidates none of whose losses is above `within` the one with least of the
 //             measure, and of these the first in the order
+//   with and without blocks  of the candidates with floating blocks, and of those without, the one
+//             that is chosen in the same way; where none loses so little, the first in the order
 #pragma once
 
 #include <cstddef>
@@ -39,13 +42,22 @@ struct Rung {
   double kept = 1;
 };
 
+// The best designs with floating blocks and without, for somebody who would rather have nothing
+// move at the hand.
+template <typename Each>
+struct BlockChoice {
+  Each without;
+  Each with;
+};
+
 struct Ladder {
   LadderOptions options;
-  std::vector<Objective> objectives;  // by which designs are ranked
-  std::vector<Rung> rungs;            // the least of the measure first
-  Design first;                       // of the ranking
-  std::optional<Design> affordable;   // unless the first has as little of the measure
-  std::optional<std::size_t> knee;    // a rung
+  std::vector<Objective> objectives;            // by which designs are ranked
+  std::vector<Rung> rungs;                      // the least of the measure first
+  Design first;                                 // of the ranking
+  std::optional<Design> affordable;             // unless the first has as little of the measure
+  std::optional<std::size_t> knee;              // a rung
+  std::optional<BlockChoice<Design>> choice{};  // only where there are designs of both kinds
 };
 
 // What spans the fronts, and the score where that orders within them.
@@ -53,6 +65,9 @@ std::vector<Objective> ranked_by(const Order& order);
 
 // Infinite if the first has 0 and this is worse.
 double loss(Objective objective, const ObjectiveValues& values, const ObjectiveValues& first);
+
+// Whether it loses no more than `within` in any ranked objective.
+bool is_within(const ObjectiveValues& values, const Ladder& ladder);
 
 // Of candidates as LadderArchive keeps them, in any order.
 Ladder ladder(std::vector<Design> candidates, const Design& first, const Order& order,
@@ -75,14 +90,19 @@ class LadderArchive {
   LadderArchive(const Order& order, Objective by);
 
   // May be asked from many threads.
-  bool may_be_rung(const ObjectiveValues& values) const { return archive_.may_rank(values); }
+  bool may_be_rung(const ObjectiveValues& values) const {
+    return front_of(values).may_rank(values);
+  }
 
   void add(Design design);
 
   std::vector<Design> candidates();
 
  private:
-  Archive archive_;
+  const Archive& front_of(const ObjectiveValues& values) const;
+
+  Archive without_blocks_;
+  Archive with_blocks_;
 };
 
 }  // namespace reeve::search

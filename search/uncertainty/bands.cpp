@@ -33,6 +33,8 @@ bool depends_on_friction(Objective objective) {
     case Objective::cost:
     case Objective::stroke:
     case Objective::closure:
+    case Objective::uniformity_p5:  // quantiles over draws already
+    case Objective::efficiency_p5:
       return false;
     default:
       return !row(objective).is_count();
@@ -53,13 +55,15 @@ Band band_of(const std::vector<double>& values) {
           quantile_or_infinite(values, 1 - tail)};
 }
 
-DrawnValues::DrawnValues(std::vector<Objective> objectives, std::size_t draws, std::size_t begin,
-                         std::size_t end)
+DrawnValues::DrawnValues(std::vector<Objective> objectives, Order order, std::size_t draws,
+                         std::size_t begin, std::size_t end)
     : objectives_(std::move(objectives)),
+      order_(std::move(order)),
       draws_(draws),
       begin_(begin),
       end_(end),
-      values_((end - begin) * objectives_.size() * draws) {}
+      values_((end - begin) * objectives_.size() * draws),
+      decisive_((end - begin) * draws) {}
 
 void DrawnValues::keep(std::size_t design, std::size_t draw, const ObjectiveValues& values) {
   if (design < begin_ || design >= end_) return;
@@ -68,6 +72,18 @@ void DrawnValues::keep(std::size_t design, std::size_t draw, const ObjectiveValu
     values_[at] = value(values, objective);
     at += draws_;
   }
+  decisive_[(design - begin_) * draws_ + draw] = decisive_value(values, order_);
+}
+
+std::vector<Band> DrawnValues::decisive_bands(Workers& workers) const {
+  std::vector<Band> result(end_ - begin_);
+  workers.for_each_block(result.size(), 16, [&](const IndexBlock& block) {
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const auto from = decisive_.begin() + static_cast<std::ptrdiff_t>(i * draws_);
+      result[i] = band_of({from, from + static_cast<std::ptrdiff_t>(draws_)});
+    }
+  });
+  return result;
 }
 
 std::vector<Bands> DrawnValues::bands(Workers& workers) const {

@@ -11,6 +11,7 @@
 
 #include "numerics/parallel.hpp"
 #include "search/evaluate/objectives.hpp"
+#include "search/rank/ranking.hpp"
 
 namespace reeve::search {
 
@@ -32,7 +33,8 @@ using Bands = std::vector<ObjectiveBand>;
 
 const Band* find_band(const Bands& bands, Objective objective);
 
-// Whether friction moves it. Parts are counted, and where fingers and carriage go is geometry.
+// Whether friction moves it, so that draws make a band of it. Parts are counted, where fingers and
+// carriage go is geometry, and quantiles over contacts are of draws themselves.
 bool depends_on_friction(Objective objective);
 
 // Those that are, of a hardware with or without a hand.
@@ -41,10 +43,11 @@ std::vector<Objective> friction_objectives(bool with_hand);
 // Infinite values are the worst or the best, as they are; none is NaN.
 Band band_of(const std::vector<double>& values);
 
-// Values of the designs `begin` to `end` of a list in each draw, from which their bands are made.
+// Values of the designs `begin` to `end` of a list in each draw, from which their bands are made,
+// and what orders designs within a front (decisive_value).
 class DrawnValues {
  public:
-  DrawnValues(std::vector<Objective> objectives, std::size_t draws, std::size_t begin,
+  DrawnValues(std::vector<Objective> objectives, Order order, std::size_t draws, std::size_t begin,
               std::size_t end);
 
   std::size_t begin() const { return begin_; }
@@ -54,13 +57,16 @@ class DrawnValues {
   void keep(std::size_t design, std::size_t draw, const ObjectiveValues& values);
   // Of the designs kept, in their order.
   std::vector<Bands> bands(Workers& workers) const;
+  std::vector<Band> decisive_bands(Workers& workers) const;
 
  private:
   std::vector<Objective> objectives_;
+  Order order_;
   std::size_t draws_;
   std::size_t begin_;
   std::size_t end_;
-  std::vector<double> values_;  // [design][objective][draw]
+  std::vector<double> values_;    // [design][objective][draw]
+  std::vector<double> decisive_;  // [design][draw]
 };
 
 }  // namespace reeve::search

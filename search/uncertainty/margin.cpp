@@ -12,7 +12,8 @@ namespace reeve::search {
 namespace {
 
 double product(const Routing& routing, const Model& model, const GraspSet& grasps) {
-  return uniformity_times_efficiency(DesignEvaluator(model, grasps).evaluate(routing));
+  const EvaluationScope of_product{false, false, false, false, false};
+  return uniformity_times_efficiency(DesignEvaluator(model, grasps).evaluate(routing, of_product));
 }
 
 // The corners of the box, to which leads often fall, and the nominal coefficients, which no least

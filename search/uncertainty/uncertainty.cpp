@@ -109,7 +109,7 @@ class DrawLoop {
 };
 
 std::size_t designs_at_once(const UncertaintyOptions& options, std::size_t objectives) {
-  const std::size_t each = std::max<std::size_t>(1, options.draws * objectives);
+  const std::size_t each = std::max<std::size_t>(1, options.draws * (objectives + 1));
   return std::max<std::size_t>(1, options.values_at_once / each);
 }
 
@@ -124,15 +124,40 @@ DesignEvaluator evaluator_of(const Model& model, const UncertaintyOptions& optio
   return evaluator;
 }
 
-// Of the routings from `begin` on, a pass for each block of them that there is room for.
+// Without jams in all grasps where nothing is judged by them, since friction does not move them;
+// likewise without quantiles over contacts, of which the draws tell.
+EvaluationScope drawn_scope(const UncertaintyOptions& options) {
+  std::vector<Objective> judged = ranked_by(options.order);
+  for (const Constraint& constraint : options.constraints) judged.push_back(constraint.objective);
+  judged.push_back(Objective::score);
+  EvaluationScope scope;
+  const EvaluationScope needed = scope_for(judged, options.score);
+  scope.jamming = needed.jamming;
+  scope.contacts = needed.contacts;
+  return scope;
+}
+
+struct DrawnBands {
+  std::vector<Bands> bands;
+  std::vector<Band> decisive;
+
+  void add(const DrawnValues& values, Workers& workers) {
+    for (Bands& some : values.bands(workers)) bands.push_back(std::move(some));
+    for (const Band& band : values.decisive_bands(workers)) decisive.push_back(band);
+  }
+};
+
+// Of the routings from those on that there are, a pass for each block of them that there is room
+// for.
 bool add_bands(const std::vector<Routing>& routings, const std::vector<Objective>& objectives,
                const UncertaintyOptions& options, const DrawnModel& model, DrawLoop& loop,
-               std::vector<Bands>& bands) {
+               DrawnBands& drawn) {
   const EvaluationScope scope = scope_for(objectives, options.score);
   const std::size_t at_once = designs_at_once(options, objectives.size());
-  while (bands.size() < routings.size()) {
-    DrawnValues values(objectives, options.draws, bands.size(),
-                       std::min(bands.size() + at_once, routings.size()));
+  while (drawn.bands.size() < routings.size()) {
+    const std::size_t begin = drawn.bands.size();
+    DrawnValues values(objectives, options.order, options.draws, begin,
+                       std::min(begin + at_once, routings.size()));
     const bool finished = loop.pass([&](std::size_t draw) {
       DesignEvaluator evaluator = evaluator_of(model(draw), options);
       for (std::size_t i = values.begin(); i < values.end(); ++i) {
@@ -140,7 +165,7 @@ bool add_bands(const std::vector<Routing>& routings, const std::vector<Objective
       }
     });
     if (!finished) return false;
-    for (Bands& some : values.bands(loop.workers())) bands.push_back(std::move(some));
+    drawn.add(values, loop.workers());
   }
   return true;
 }
@@ -148,8 +173,7 @@ bool add_bands(const std::vector<Routing>& routings, const std::vector<Objective
 }  // namespace
 
 Model draw_model(const UncertaintyOptions& options, std::uint64_t draw) {
-  const CoefficientBox box = coefficient_box(options.nominal.hardware, options.ranges);
-  return at_point(options.nominal, drawn_point(box, options.seed, draw));
+  return draw_model(options.nominal, options.ranges, options.seed, draw);
 }
 
 void validate(const UncertaintyOptions& options, std::size_t designs) {
@@ -182,20 +206,23 @@ std::optional<DrawnDesigns> drawn_designs(const std::vector<Routing>& routings,
   const std::size_t at_once = designs_at_once(options, objectives.size());
   DrawLoop loop(options, supervision, passes(routings.size(), at_once));
   std::vector<DrawnPlaces> by_draw(options.draws);
+  const EvaluationScope scope = drawn_scope(options);
   DrawnDesigns result;
+  DrawnBands bands;
   {
-    DrawnValues values(objectives, options.draws, 0, std::min(at_once, routings.size()));
+    DrawnValues values(objectives, options.order, options.draws, 0,
+                       std::min(at_once, routings.size()));
     const bool finished = loop.pass([&](std::size_t draw) {
       DesignEvaluator evaluator = evaluator_of(model(draw), options);
       std::vector<Design> designs;
       for (std::size_t i = 0; i < routings.size(); ++i) {
-        designs.push_back({words[i], evaluator.evaluate(routings[i])});
+        designs.push_back({words[i], evaluator.evaluate(routings[i], scope)});
         values.keep(i, draw, designs.back().values);
       }
       by_draw[draw] = drawn_places(std::move(designs), options);
     });
     if (!finished) return std::nullopt;
-    result.bands = values.bands(loop.workers());
+    bands.add(values, loop.workers());
   }
   for (std::size_t i = 0; i < routings.size(); ++i) {
     result.ranks.push_back(distribution(by_draw, i));
@@ -203,7 +230,9 @@ std::optional<DrawnDesigns> drawn_designs(const std::vector<Routing>& routings,
     result.constraints_met.push_back(share_that_meets(by_draw, i));
   }
   by_draw.clear();
-  if (!add_bands(routings, objectives, options, model, loop, result.bands)) return std::nullopt;
+  if (!add_bands(routings, objectives, options, model, loop, bands)) return std::nullopt;
+  result.bands = std::move(bands.bands);
+  result.decisive = std::move(bands.decisive);
   return result;
 }
 
@@ -214,9 +243,9 @@ std::optional<std::vector<Bands>> drawn_bands(const std::vector<Routing>& routin
                                               const Supervision& supervision) {
   const std::size_t at_once = designs_at_once(options, objectives.size());
   DrawLoop loop(options, supervision, passes(routings.size(), at_once));
-  std::vector<Bands> bands;
-  if (!add_bands(routings, objectives, options, model, loop, bands)) return std::nullopt;
-  return bands;
+  DrawnBands drawn;
+  if (!add_bands(routings, objectives, options, model, loop, drawn)) return std::nullopt;
+  return std::move(drawn.bands);
 }
 
 }  // namespace reeve::search

@@ -2,9 +2,11 @@
 // and ranked anew for each draw, and each design's place and each of its objectives become a
 // distribution.
 //
-// A draw is a point of the box of uncertain coefficients (coefficient_box.hpp), uniform in it.
-// Designs that are equal in a draw share their place (rank/equivalent.hpp): two of them can both be
-// first.
+// A draw has two layers: a point of the box of uncertain coefficients (coefficient_box.hpp),
+// uniform in it, of which all parts of a kind are; and on top of that a factor of its own for each
+// contact (ContactScatter), so that no two contacts are alike. Contacts at the same place of two
+// networks have the same factor. Designs that are equal in a draw share their place
+// (rank/equivalent.hpp): two of them can both be first.
 //
 // Memory does not grow with the draws times the designs times the objectives: of as many designs as
 // there is room for the values are kept while all are ranked, and the others are evaluated once
@@ -56,6 +58,7 @@ struct DrawnDesigns {
   // leave no design out: what is listed met them at the nominal coefficients.
   std::vector<double> constraints_met = {};
   std::vector<Bands> bands;
+  std::vector<Band> decisive = {};  // of what orders designs within a front (decisive_value)
 };
 
 // The model of draw number `draw`: a function of seed and number alone. Its effects are the nominal

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace reeve::testing {
@@ -21,6 +22,28 @@ TEST(LeastSquares, FollowsACurvedValley) {
   EXPECT_TRUE(found.converged);
   EXPECT_NEAR(found.minimum.at[0], 1, 1e-5);
   EXPECT_NEAR(found.minimum.at[1], 1, 1e-5);
+}
+
+// a e^{-b t} + c, read with a little noise: nearly the least, with fewer evaluations.
+TEST(LeastSquares, ToCompareCorrectsTheJacobianByItsSteps) {
+  int evaluations = 0;
+  const auto decay = [&](const std::vector<double>& x) -> std::optional<VectorXd> {
+    ++evaluations;
+    VectorXd left(40);
+    for (int i = 0; i < 40; ++i) {
+      const double t = 0.1 * i;
+      const double read = 3 * std::exp(-0.7 * t) + 1 + 0.05 * std::sin(37.0 * i);
+      left[i] = x[0] * std::exp(-x[1] * t) + x[2] - read;
+    }
+    return left;
+  };
+  const std::vector<Interval> box{{0, 10}, {0, 5}, {-5, 5}};
+  const LeastSquares full = least_squares(decay, box, {1, 2, 0});
+  const int of_full = std::exchange(evaluations, 0);
+  const LeastSquares quick = least_squares(decay, box, {1, 2, 0}, Precision::to_compare);
+  EXPECT_TRUE(quick.converged);
+  EXPECT_LT(evaluations, of_full);
+  EXPECT_NEAR(quick.minimum.value, full.minimum.value, 1e-2 * full.minimum.value);
 }
 
 // The least in the box lies on its side: x0 = 0.5, x1 = x0². Beyond it nothing is evaluated.

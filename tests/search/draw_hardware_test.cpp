@@ -104,7 +104,7 @@ TEST(DrawHardware, LeavesEverythingElseAsItIs) {
   UncertaintyOptions options = options_for(1);
   options.nominal.hardware.tube.angle_rad = 3;
   options.nominal.hardware.strand_mm = 80;
-  options.nominal.hardware.fingers.push_back({1, 0.3, {}, 0.25, 5.0, 90.0, 2});
+  options.nominal.hardware.fingers.push_back({1, 0.3, {}, 0.25, {}, 90.0, 2});
   options.nominal.hardware.contacts.push_back({"T1", "T2", 0.4, {}});
   const Hardware hardware = draw_model(options, 5).hardware;
   EXPECT_EQ(hardware.tube.angle_rad, 3);

@@ -266,12 +266,15 @@ TEST(DesignEvaluator, WorksOutWhatObjectivesNeed) {
   };
   const Score of_release{{{Objective::round_trip_efficiency, 2}}};
   EXPECT_EQ(needs(Objective::uniformity_mean, authors_score()),
-            (EvaluationScope{false, false, false}));
+            (EvaluationScope{false, false, false, false, false}));
   EXPECT_EQ(needs(Objective::round_trip_efficiency, authors_score()),
-            (EvaluationScope{true, false, false}));
-  EXPECT_EQ(needs(Objective::reliability, of_release), (EvaluationScope{false, true, false}));
-  EXPECT_EQ(needs(Objective::score, authors_score()), (EvaluationScope{false, true, false}));
-  EXPECT_EQ(needs(Objective::score, of_release), (EvaluationScope{true, false, false}));
+            (EvaluationScope{true, false, false, false, false}));
+  EXPECT_EQ(needs(Objective::reliability, of_release),
+            (EvaluationScope{false, true, false, false, false}));
+  EXPECT_EQ(needs(Objective::score, authors_score()),
+            (EvaluationScope{false, true, false, false, false}));
+  EXPECT_EQ(needs(Objective::score, of_release),
+            (EvaluationScope{true, false, false, false, false}));
 }
 
 TEST(DesignEvaluator, LeavesOutWhatIsNotAskedFor) {

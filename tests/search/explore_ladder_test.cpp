@@ -2,10 +2,12 @@
 // number of threads and shards.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "search/exploration_part.hpp"
 #include "search/explore.hpp"
 #include "search/rank/ladder.hpp"
 #include "tests/search/naive_exploration.hpp"
@@ -40,6 +42,44 @@ std::vector<Design> all_designs(const ExploreOptions& options) {
   return designs;
 }
 
+// Of one kind: least of the measure within the loss, or the first where none is within.
+void expect_naive_choice(const Design& chosen, std::vector<Design> kind, const Ladder& ladder,
+                         const ExploreOptions& options) {
+  const Objective by = ladder.options.by;
+  std::vector<Design> within;
+  for (const Design& design : kind) {
+    if (is_within(design.values, ladder)) within.push_back(design);
+  }
+  const std::vector<Design>& from = within.empty() ? kind : within;
+  if (!within.empty()) {
+    const auto least =
+        std::min_element(from.begin(), from.end(), [&](const Design& a, const Design& b) {
+          return value(a.values, by) < value(b.values, by);
+        });
+    EXPECT_EQ(value(chosen.values, by), value(least->values, by));
+  }
+  std::vector<Design> with_as_little;
+  for (const Design& design : from) {
+    if (within.empty() || value(design.values, by) == value(chosen.values, by)) {
+      with_as_little.push_back(design);
+    }
+  }
+  EXPECT_EQ(chosen.word, naive_first(with_as_little, options.order, by).word);
+}
+
+void expect_naive_choices(const Ladder& ladder, const std::vector<Design>& designs,
+                          const ExploreOptions& options) {
+  std::vector<Design> with;
+  std::vector<Design> without;
+  for (const Design& design : designs) {
+    (value(design.values, Objective::blocks) > 0 ? with : without).push_back(design);
+  }
+  ASSERT_EQ(ladder.choice.has_value(), !with.empty() && !without.empty());
+  if (!ladder.choice) return;
+  expect_naive_choice(ladder.choice->with, with, ladder, options);
+  expect_naive_choice(ladder.choice->without, without, ladder, options);
+}
+
 void expect_naive_ladder(const ExploreOptions& options) {
   const std::vector<Design> designs = all_designs(options);
   const Ladder found = explore(options).ladder;
@@ -47,6 +87,7 @@ void expect_naive_ladder(const ExploreOptions& options) {
   EXPECT_EQ(rungs_of(found), naive_ladder(designs, options.order, by));
   const Design first = rank(designs, options.order).front().design;
   EXPECT_EQ(found.first.word, first.word);
+  expect_naive_choices(found, designs, options);
   const double least =
       naive_least(designs, first, ranked_by(options.order), by, options.ladder.within);
   EXPECT_EQ(found.affordable.has_value(), least < value(first.values, by));
@@ -85,6 +126,40 @@ TEST(ExploreLadder, AgreesWithItsDefinitionWithAScoreConstraintsAndBlocks) {
   options = options_for(all_parts(), 2);
   options.ladder.by = Objective::blocks;
   expect_naive_ladder(options);
+}
+
+TEST(ExploreLadder, ChoosesTheBestWithAndWithoutBlocks) {
+  for (const Objectives& objectives : several_objectives()) {
+    SCOPED_TRACE(std::string("first by ") + row(objectives.front()).name);
+    ExploreOptions options = options_for(all_parts(), 3, objectives);
+    options.top = 1;
+    expect_naive_ladder(options);
+    options.constraints = {parse_constraint("pulleys<=1")};
+    expect_naive_ladder(options);
+  }
+}
+
+TEST(ExploreLadder, ChoosesNothingWhereNoDesignHasBlocks) {
+  EXPECT_FALSE(explore(options_for(full_parts(), 2)).ladder.choice);
+}
+
+// Shards keep what the whole needs, though the best without blocks are no rungs of it.
+TEST(ExploreLadder, ChoosesTheSameOfShards) {
+  ExploreOptions options = options_for(all_parts(), 3);
+  options.top = 1;
+  const Ladder whole = explore(options).ladder;
+  options.keeps_record = true;
+  std::vector<ShardRecord> records;
+  for (std::uint64_t shard = 1; shard <= 4; ++shard) {
+    options.shard = {shard, 4};
+    records.push_back(*explore(options).record);
+  }
+  options.shard = {};
+  const Ladder merged = conclude(records, options, {}).ladder;
+  ASSERT_TRUE(whole.choice && merged.choice);
+  EXPECT_EQ(merged.choice->with.word, whole.choice->with.word);
+  EXPECT_EQ(merged.choice->without.word, whole.choice->without.word);
+  EXPECT_EQ(merged.choice->without.values, whole.choice->without.values);
 }
 
 // Another way to each rung: an exploration that may have no more of the measure.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/has.hpp"
 #include "tests/support/input_error.hpp"
 
 namespace reeve {
@@ -15,9 +16,9 @@ namespace {
 
 const std::string all_names =
     "uniformity_mean, uniformity_worst, efficiency_mean, efficiency_worst, force_transmission, "
-    "jams, sheaths, pulleys, knots, travel, round_trip_efficiency, adaptability, torsional_balance, "
+    "jams, jams_all, sheaths, pulleys, knots, travel, round_trip_efficiency, adaptability, torsional_balance, "
     "reliability, authors_efficiency, transmission, score, blocks, finger_uniformity_mean, "
-    "finger_uniformity_worst, parts, cost, motor_force, fingertip_force_mean, "
+    "finger_uniformity_worst, parts, cost, uniformity_p5, efficiency_p5, motor_force, fingertip_force_mean, "
     "fingertip_force_worst, stroke, closure, motor_power";
 
 std::string objectives_message(const std::string& text) {
@@ -69,10 +70,10 @@ TEST(ObjectiveTable, EveryObjectiveIsFoundByItsValueAndByItsName) {
 }
 
 TEST(ObjectiveTable, SaysWhichDirectionIsBetter) {
-  const std::set<Objective> lower{Objective::jams,        Objective::sheaths,    Objective::pulleys,
-                                  Objective::knots,       Objective::travel,     Objective::blocks,
-                                  Objective::parts,       Objective::cost,       Objective::stroke,
-                                  Objective::motor_force, Objective::motor_power};
+  const std::set<Objective> lower{
+      Objective::jams_all, Objective::jams,   Objective::sheaths,     Objective::pulleys,
+      Objective::knots,    Objective::travel, Objective::blocks,      Objective::parts,
+      Objective::cost,     Objective::stroke, Objective::motor_force, Objective::motor_power};
   for (const ObjectiveRow& entry : objective_table()) {
     EXPECT_EQ(entry.better == Better::lower, lower.count(entry.objective) == 1) << entry.name;
   }
@@ -146,9 +147,13 @@ TEST(ParseObjectives, UniformityAndEfficiencyAreShortForTheirMeans) {
 TEST(ParseObjectivesError, NamesAnUnknownObjectiveAndListsAll) {
   EXPECT_EQ(objectives_message("uniformity,speed"),
             unknown("objectives 'uniformity,speed'", "speed"));
+  // A near name is suggested behind the list.
   for (const std::string name : {"Sheaths", "she aths", "sheath", "mean", "uniformity_", "-"}) {
-    EXPECT_EQ(objectives_message(name), unknown("objectives '" + name + "'", name));
+    const std::string message = objectives_message(name);
+    const std::string list = unknown("objectives '" + name + "'", name);
+    EXPECT_EQ(message.substr(0, list.size()), list);
   }
+  EXPECT_TRUE(testing::has(objectives_message("Sheaths"), "; did you mean sheaths?"));
 }
 
 TEST(ParseObjectivesError, AnEmptyListOrItemIsUnknown) {

@@ -58,7 +58,7 @@ TEST(Places, AreTheRankOfTheFirstEqualDesign) {
 }
 
 DrawnDesigns drawn_words(const std::vector<std::string>& words) {
-  return drawn_designs(parsed(words), options_for(200)).value();
+  return drawn_designs(parsed(words), options_of_like_contacts(200)).value();
 }
 
 TEST(Places, OfTheLoopAndItsTwinsAreAllFirstInEveryDraw) {

@@ -32,6 +32,11 @@ inline std::vector<std::pair<double, std::string>> rungs_of(const Ladder& ladder
   return rungs;
 }
 
+inline std::vector<std::string> choice_of(const Ladder& ladder) {
+  if (!ladder.choice) return {};
+  return {ladder.choice->without.word, ladder.choice->with.word};
+}
+
 inline void expect_same_counts(const ExploreResult& a, const ExploreResult& b) {
   EXPECT_EQ(a.total, b.total);
   EXPECT_EQ(a.generated, b.generated);
@@ -85,6 +90,7 @@ inline void expect_same_result(const ExploreResult& a, const ExploreResult& b) {
     EXPECT_EQ(a.sample[i].values, b.sample[i].values) << a.sample[i].word;
   }
   EXPECT_EQ(rungs_of(a.ladder), rungs_of(b.ladder));
+  EXPECT_EQ(choice_of(a.ladder), choice_of(b.ladder));
   expect_same_references(a, b);
   expect_same_infeasible(a, b);
   ASSERT_EQ(a.record.has_value(), b.record.has_value());

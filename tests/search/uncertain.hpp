@@ -17,4 +17,11 @@ inline UncertaintyOptions options_for(std::size_t draws) {
   return options;
 }
 
+// Of contacts that are alike: what a kind has in common varies alone.
+inline UncertaintyOptions options_of_like_contacts(std::size_t draws) {
+  UncertaintyOptions options = options_for(draws);
+  options.nominal.hardware.scatter = {0, 0};
+  return options;
+}
+
 }  // namespace reeve::testing

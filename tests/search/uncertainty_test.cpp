@@ -177,7 +177,7 @@ TEST(Uncertainty, OtherSeedsGiveOtherDistributions) {
 }
 
 TEST(Uncertainty, WithoutWidthIsTheNominalRanking) {
-  UncertaintyOptions options = options_for(25);
+  UncertaintyOptions options = testing::options_of_like_contacts(25);
   options.ranges = {{options.nominal.hardware.tube.mu, options.nominal.hardware.tube.mu},
                     {options.nominal.hardware.sheath.mu, options.nominal.hardware.sheath.mu},
                     0,

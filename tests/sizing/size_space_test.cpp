@@ -61,9 +61,6 @@ TEST(Dimensions, AreThoseThatARoutingHas) {
 
 TEST(Dimensions, OfASheathThatLeadsToNoFingerAreThatOfItsContact) {
   EXPECT_EQ(names("M-Y1+1x-Y1-2x", SizedQuantity::sheath_angle), "contact_angle[a-h1]");
-  EXPECT_TRUE(dimensions_of(expand(parse_routing("M-Y1+1x-Y1-2x")), {}, SizedQuantity::sheath_angle)
-                  .at(0)
-                  .of_sheath);
 }
 
 // Two joints for all, and a thumb of its own.

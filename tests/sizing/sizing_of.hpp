@@ -24,7 +24,7 @@ inline SizingOptions aiming(const std::string& target, const std::vector<std::st
                             int fingers = 2) {
   SizingOptions options = sizing("uniformity", varied, fingers);
   options.goal = parse_target(target, fingers);
-  options.grasps = parse_grasps("none", fingers);
+  options.target_grasps = parse_grasps("none", fingers);
   return options;
 }
 

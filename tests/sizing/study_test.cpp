@@ -48,7 +48,7 @@ SizingDetails details_of(const SizingOptions& options) {
                         read_catalogue(std::filesystem::path(REEVE_CATALOG_DIR)));
 }
 
-TEST(SizingDetails, AreShownInTheGraspsOfTheGoalAndOfATargetOfTheOpenHandInEachHeld) {
+TEST(SizingDetails, AreShownInTheGraspsThatAreAskedWhateverThoseOfATarget) {
   const std::vector<std::string> varied{"sheath_angle=3..9"};
   for (SizingOptions options : {sizing("uniformity", varied), aiming("1=1,2=1", varied)}) {
     EXPECT_EQ(details_of(options).sized.grasps.size(), 3U);

@@ -88,7 +88,7 @@ TEST(ForceReach, OfEqualsNamesTheFingerThatAsksForMost) {
     EXPECT_EQ(hand.force_reach->share, 0);
     EXPECT_EQ(hand.force_reach->weakest, stiffer > 100 ? 2 : 1);
     EXPECT_EQ(hand.force_reach->weakest, hand.demand.weakest);
-    EXPECT_EQ(hand.force_reach->asks_motor_N, hand.demand.force_N);
+    EXPECT_NEAR(hand.force_reach->asks_motor_N, hand.demand.force_N, 1e-9);
   }
 }
 

@@ -96,7 +96,7 @@ TEST(ShownHand, NamesFingerJointAndGraspThatAskForMost) {
   EXPECT_EQ(found.demand.joint, 0U);
   double most = 0;
   for (const ShownHandGrasp& grasp : found.grasps) most = std::max(most, grasp.motor_force_N);
-  EXPECT_EQ(found.demand.force_N, most);
+  EXPECT_NEAR(found.demand.force_N, most, 1e-9);
   for (const ShownHandGrasp& grasp : found.grasps) {
     if (grasp.grasp == found.demand.grasp) {
       EXPECT_EQ(grasp.motor_force_N, most);

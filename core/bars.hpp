@@ -1,0 +1,14 @@
+// Rigid bars in place of floating blocks: a bar that tendons are tied to has no friction.
+#pragma once
+
+#include <optional>
+
+#include "core/routing.hpp"
+
+namespace reeve::core {
+
+// Returns the same routing with an even bar in place of each block, numbered alike. Nothing if the
+// routing has bars already, or no block, or a block that one tendon does not pass exactly once.
+std::optional<Routing> with_bars(const Routing& routing);
+
+}  // namespace reeve::core

@@ -1,0 +1,110 @@
+#include "search/evaluate/contact_quantiles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/random.hpp"
+#include "numerics/streams.hpp"
+
+namespace reeve::search {
+namespace {
+
+constexpr double low_tail = 0.05;
+// Stands for the logarithm of nothing: far below that of any tension, and still a number.
+constexpr double log_of_nothing = -600;
+
+double log_of(double value) { return value > 0 ? std::log(value) : log_of_nothing; }
+
+}  // namespace
+
+// As quantile_of, in memory that is kept.
+double ContactQuantileFinder::low_quantile(const Draws& values) {
+  sorted_.assign(values.begin(), values.end());
+  std::sort(sorted_.begin(), sorted_.end());
+  const double place = low_tail * static_cast<double>(draws - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const double rest = place - static_cast<double>(below);
+  return sorted_[below] + rest * (sorted_[below + 1] - sorted_[below]);
+}
+
+void ContactQuantileFinder::draw_contacts(std::size_t contacts) {
+  while (z_.size() < contacts) {
+    const auto stream = streams::contact_scatter + static_cast<std::uint32_t>(z_.size());
+    Draws& z = z_.emplace_back(static_cast<Eigen::Index>(draws));
+    for (std::size_t d = 0; d < draws; ++d) {
+      z[static_cast<Eigen::Index>(d)] = normal(seed, stream, d);
+    }
+  }
+}
+
+void ContactQuantileFinder::read(const Network& network, const TensionState& state,
+                                 std::vector<double>& logs) const {
+  logs.clear();
+  double work = 0;
+  for (std::size_t i = 0; i < network.segments.size(); ++i) {
+    const Segment& segment = network.segments[i];
+    if (segment.kind != SegmentKind::strand) continue;
+    logs.push_back(log_of(state.tension[i]));
+    work += state.tension[i] * state.closing[static_cast<std::size_t>(segment.finger) - 1];
+  }
+  logs.push_back(log_of(work));
+}
+
+void ContactQuantileFinder::add_contact(std::size_t contact) {
+  for (std::size_t i = 0; i < base_.size(); ++i) {
+    const double slope = (more_[i] - less_[i]) / 2;
+    if (slope != 0) drawn_[i] += slope * z_[contact];
+  }
+}
+
+void ContactQuantileFinder::add_grasp(const Network& network, Mechanics& nominal,
+                                      const std::vector<double>& deviations,
+                                      const WeightedGrasp& grasp, const Solve& solve) {
+  read(network, solve(nominal, grasp.grasp, false), base_);
+  if (drawn_.size() < base_.size()) drawn_.resize(base_.size());
+  for (std::size_t i = 0; i < base_.size(); ++i) {
+    drawn_[i].setConstant(static_cast<Eigen::Index>(draws), base_[i]);
+  }
+  for (std::size_t k = 0; k < deviations.size(); ++k) {
+    const double phi = nominal.phi[k];
+    const double decay = nominal.decay[k];
+    if (deviations[k] == 0 || phi == 0) continue;
+    const auto solve_at = [&](double factor, std::vector<double>& logs) {
+      nominal.phi[k] = factor * phi;
+      nominal.decay[k] = std::exp(-nominal.phi[k]);
+      read(network, solve(nominal, grasp.grasp, true), logs);
+    };
+    solve_at(1 + deviations[k], more_);
+    solve_at(1 - deviations[k], less_);
+    nominal.phi[k] = phi;
+    nominal.decay[k] = decay;
+    add_contact(k);
+  }
+  const std::size_t strands = base_.size() - 1;
+  efficiency_ += grasp.weight * drawn_[strands].exp();
+  // Without strands, or where all are slack, there is no uniformity.
+  const auto end = base_.begin() + static_cast<std::ptrdiff_t>(strands);
+  if (std::all_of(base_.begin(), end, [](double log) { return log == log_of_nothing; })) return;
+  least_ = most_ = drawn_[0];
+  for (std::size_t i = 1; i < strands; ++i) {
+    least_ = least_.min(drawn_[i]);
+    most_ = most_.max(drawn_[i]);
+  }
+  uniformity_ += grasp.weight * (least_ - most_).exp();
+}
+
+ContactQuantiles ContactQuantileFinder::find(const Network& network, Mechanics& nominal,
+                                             const std::vector<double>& deviations,
+                                             const GraspSet& grasps, const Solve& solve) {
+  draw_contacts(deviations.size());
+  uniformity_.setZero(static_cast<Eigen::Index>(draws));
+  efficiency_.setZero(static_cast<Eigen::Index>(draws));
+  double weight = 0;
+  for (const WeightedGrasp& grasp : grasps) {
+    add_grasp(network, nominal, deviations, grasp, solve);
+    weight += grasp.weight;
+  }
+  return {low_quantile(uniformity_) / weight, low_quantile(efficiency_) / weight};
+}
+
+}  // namespace reeve::search

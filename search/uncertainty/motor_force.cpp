@@ -1,0 +1,39 @@
+#include "search/uncertainty/motor_force.hpp"
+
+#include <limits>
+
+#include "core/error.hpp"
+#include "search/evaluate/evaluation.hpp"
+
+namespace reeve::search {
+
+namespace {
+
+// A contact with more friction than any has passes no force on.
+constexpr double no_force = std::numeric_limits<double>::infinity();
+
+double quantile(const Routing& routing, const UncertaintyOptions& options) {
+  try {
+    validate(options, 1);
+    const auto model = [&](std::uint64_t draw) { return draw_model(options, draw); };
+    const auto bands = drawn_bands({routing}, {Objective::motor_force}, options, model);
+    return bands->front().front().band.high;
+  } catch (const InputError&) {
+    return no_force;
+  } catch (const OutOfRange&) {
+    return no_force;
+  }
+}
+
+}  // namespace
+
+std::optional<MotorForce> motor_force(const Routing& routing, const UncertaintyOptions& options) {
+  const EvaluationScope scope = scope_for({Objective::motor_force}, options.score);
+  const ObjectiveValues values =
+      DesignEvaluator(options.nominal, options.grasps, options.score).evaluate(routing, scope);
+  if (!has_hand(values)) return std::nullopt;
+  return MotorForce{value(values, Objective::motor_force), quantile(routing, options),
+                    options.draws, options.seed};
+}
+
+}  // namespace reeve::search

@@ -1,0 +1,36 @@
+// The force that the motor of a hand must have: one definition for all subcommands.
+//
+//   nominal   F_M, the objective motor_force: the greatest motor tension that a grasp asks for
+//             (core/hand.hpp), over all grasps that are asked, at the nominal coefficients
+//   p95       95 % quantile of F_M over draws of the coefficients (uncertainty.hpp)
+//
+// A motor is enough if it pulls with the quantile: then 95 % of the hands reach all wanted forces.
+// Of the same routing, model, grasps, draws and seed it is the same number wherever it is asked.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "core/routing.hpp"
+#include "search/uncertainty/uncertainty.hpp"
+
+namespace reeve::search {
+
+// Draws of who does not say how many.
+inline constexpr std::size_t motor_draws = 1000;
+
+struct MotorForce {
+  double nominal_N = 0;  // infinite if no force is enough
+  // Infinite if none is in more than 5 % of the draws, or if one has more friction than contacts.
+  double p95_N = 0;
+  std::size_t draws = 0;
+  std::uint64_t seed = 0;
+
+  bool is_met_by(double motor_N) const { return p95_N <= motor_N; }
+};
+
+// Nothing of a hardware without a hand, or of fingers that it does not know.
+std::optional<MotorForce> motor_force(const Routing& routing, const UncertaintyOptions& options);
+
+}  // namespace reeve::search

@@ -1,0 +1,36 @@
+// What `import` would make of a logger's file of unknown columns: a mapping that is guessed, the
+// log as it would be read by it, and all that is missing.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/error.hpp"
+#include "readings/log/guessed_columns.hpp"
+#include "readings/log/logged_series.hpp"
+#include "studies/import_study.hpp"
+
+namespace reeve::studies {
+
+struct GuessReport {
+  std::string file;
+  LogGuess guess;
+  std::optional<LoggedSeries> series;  // none if the log cannot be read by that mapping
+  std::vector<InputFault> faults;      // why not, or what is wrong with the labels
+  ImportLabels given;
+  // What the log does not say, and nobody does.
+  bool lacks_routing = false;
+  bool lacks_run = false;
+  bool lacks_held = false;
+  bool lacks_motion = false;
+  bool lacks_motor_tension = false;
+
+  bool can_be_imported() const { return series && faults.empty() && !lacks_routing; }
+};
+
+// Throws InputError if the file cannot be read at all.
+GuessReport guess_study(const std::filesystem::path& path, const ReadingOptions& options,
+                        const ImportLabels& given, const RoutingResolver& resolve);
+
+}  // namespace reeve::studies
