@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/option_texts.hpp"
 #include "core/error.hpp"
 #include "reports/exploration/count_report.hpp"
 #include "reports/exploration/explore_report.hpp"
@@ -81,13 +82,7 @@ void write(const CompareReport& report, const Arguments& arguments);
 std::string model_toml(const DiagnosisReport& report, const Arguments& arguments);
 std::string hardware_toml(const SizingReport& report, const Arguments& arguments);
 
-// As `reeve SUBCOMMAND --help` has them; none of a subcommand that there is not.
-struct OptionText {
-  std::string name;  // "fingers"; of a positional "routing"
-  std::string preset;
-  std::string meaning;
-  std::string kind;  // flag, list (it may be given again), int, float or text
-};
+// None of a subcommand that there is not.
 std::vector<OptionText> option_texts(const std::string& subcommand);
 
 }  // namespace reeve::cli::api

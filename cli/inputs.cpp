@@ -9,10 +9,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
+#include "core/nearest_name.hpp"
 #include "core/notation.hpp"
 #include "reports/output/files.hpp"
 
@@ -33,6 +35,13 @@ std::string names(const Catalogue& catalogue) {
   const std::vector<std::string> families = catalogue.families();
   if (families.empty()) return list;
   return fmt::format("{}, a mechanism of {}", list, fmt::join(families, ", "));
+}
+
+std::vector<std::string> routing_names(const Catalogue& catalogue) {
+  std::vector<std::string> names;
+  for (const CatalogueEntry& entry : catalogue.entries) names.push_back(entry.name);
+  for (const Mechanism& mechanism : catalogue.mechanisms) names.push_back(mechanism.name);
+  return names;
 }
 
 InputError no_file(const std::string& option) {
@@ -60,7 +69,8 @@ Routing read_routing(const std::string& text, const Catalogue& catalogue) {
     throw InputError(
         {.where = fmt::format("routing '{}'", text),
          .what = "no such name in the catalogue",
-         .expected = fmt::format("one of {}, or a word such as M-1-T-2-F", names(catalogue)),
+         .expected = fmt::format("one of {}, or a word such as M-1-T-2-F{}", names(catalogue),
+                                 did_you_mean(text, routing_names(catalogue))),
          .form = InputForm::unknown});
   }
   return parse_routing(text);
@@ -167,12 +177,19 @@ void ModelOption::add_to(CLI::App& command) {
                 ->excludes(hardware);
 }
 
+void ModelOption::add_with_friction_to(CLI::App& command) {
+  add_to(command);
+  friction_.add_to(command);
+  friction_.exclude(*option_);
+}
+
 ModelFile ModelOption::read(const Catalogue& catalogue) const {
   if (option_->count() > 0) {
     if (file_.empty()) throw no_file("--model");
     return read_model_file(file_, catalogue);
   }
-  const HardwareFile file = hardware_.read();
+  HardwareFile file = hardware_.read();
+  friction_.apply(file.hardware);
   return {{file.hardware}, file.uncertainty, file.vary};
 }
 
@@ -229,8 +246,9 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
   command
       .add_option("--parts", parts,
                   "paper: tip tube, joins T,P, ends M,F; full: also tip bearing and join B; all: "
-                  "also --anchored and --blocks 1")
-      ->check(CLI::IsMember({"paper", "full", "all"}))
+                  "also --anchored and --blocks 1; field: --anchored and up to fingers - 1 blocks, "
+                  "as many as a few seconds allow")
+      ->check(CLI::IsMember({"paper", "full", "all", "field"}))
       ->capture_default_str();
   tips_ = command.add_option("--tips", tips, "Fingertips instead of the set's: tube,bearing");
   joins_ = command.add_option("--joins", joins, "Joins instead of the set's: T,B,P");
@@ -240,7 +258,7 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
   blocks_ = command
                 .add_option("--blocks", blocks,
                             "Also routings with up to so many floating blocks, such as "
-                            "M-Y1+1x-Y1-2x (default: 0; of --parts all 1)")
+                            "M-Y1+1x-Y1-2x (default: as --parts says)")
                 ->check(CLI::Range(0, max_generated_blocks));
   command.add_flag("--distinct-fingers", distinct,
                    "Tell fingers apart: M-1-P-2-F and M-2-P-1-F are two routings");
@@ -253,9 +271,9 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
       ->capture_default_str();
 }
 
-GeneratorOptions GeneratorFlags::read() const {
+GeneratorOptions GeneratorFlags::read_parts() const {
   GeneratorOptions options;
-  options.parts = parts == "paper" ? paper_parts() : parts == "full" ? full_parts() : all_parts();
+  options.parts = parts == "paper" ? paper_parts() : parts == "all" ? all_parts() : full_parts();
   if (anchored) options.parts.anchored = true;
   if (blocks_->count() > 0) options.parts.blocks = blocks;
   for_name("--", [&] {
@@ -264,18 +282,32 @@ GeneratorOptions GeneratorFlags::read() const {
     if (ends_->count() > 0) options.parts.ends = parse_ends(ends);
     validate(options.parts);
   });
-  options.fingers = fingers;
-  options.identity = distinct ? FingerIdentity::distinct : FingerIdentity::identical;
-  options.one_tendon = tendons == "one";
   return options;
 }
 
+AskedParts GeneratorFlags::read(bool tells_apart) const {
+  AskedParts asked{read_parts(), std::nullopt};
+  asked.generator.fingers = fingers;
+  asked.generator.identity =
+      distinct || tells_apart ? FingerIdentity::distinct : FingerIdentity::identical;
+  asked.generator.one_tendon = tendons == "one";
+  if (parts != "field") return asked;
+  FieldRequest request{asked.generator, std::nullopt};
+  if (blocks_->count() > 0) request.blocks = blocks;
+  FieldParts field =
+      for_option(fmt::format("--fingers {}", fingers), [&] { return field_parts(request); });
+  asked.generator.parts = std::move(field.parts);
+  asked.left_out = field.left_out;
+  return asked;
+}
+
 void RankingFlags::add_to(CLI::App& command) {
-  command
-      .add_option("--grasps", grasps,
-                  "single: none held and each one finger held; all; paper: finger 1 held; or held "
-                  "lists with weights, such as none:2/1/1,2:0.5")
-      ->capture_default_str();
+  grasps_given_ =
+      command
+          .add_option("--grasps", grasps,
+                      "single: none held and each one finger held; all; paper: finger 1 held; or "
+                      "held lists with weights, such as none:2/1/1,2:0.5")
+          ->capture_default_str();
   std::string known;
   for (const ObjectiveRow& row : objective_table()) known += std::string(" ") + row.name;
   objectives_given_ =
@@ -319,6 +351,18 @@ Order RankingFlags::read_order() const {
 
 GraspSet RankingFlags::read_grasps(int fingers) const {
   return for_name("--", [&] { return parse_grasps(grasps, fingers); });
+}
+
+void read_vary(const VaryTable& table, SizingOptions& options) {
+  for (const GivenBounds& given : table.bounds) {
+    options.varied.push_back(varied_range(given.name, {given.low, given.high}, given.place));
+  }
+  for (const GivenSame& given : table.same) {
+    for (SameGroup& group : for_option(given.place, [&] { return parse_same(given.text); })) {
+      group.text = given.place;
+      options.same.push_back(std::move(group));
+    }
+  }
 }
 
 }  // namespace reeve::cli

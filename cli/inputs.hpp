@@ -12,12 +12,15 @@
 #include "catalog/catalogue.hpp"
 #include "catalog/hardware_file.hpp"
 #include "catalog/model_file.hpp"
+#include "cli/flags/friction_flags.hpp"
 #include "cli/outputs.hpp"
 #include "core/error.hpp"
+#include "search/enumerate/field_parts.hpp"
 #include "search/enumerate/generator.hpp"
 #include "search/evaluate/objectives.hpp"
 #include "search/evaluate/score.hpp"
 #include "search/rank/ranking.hpp"
+#include "sizing/sizing_problem.hpp"
 
 namespace reeve::cli {
 
@@ -119,7 +122,10 @@ struct OutOption {
 // --hardware or --model; the paper's hardware and no effect if neither is given.
 struct ModelOption {
   void add_to(CLI::App& command);
+  // The same, and the options of a quick question.
+  void add_with_friction_to(CLI::App& command);
   bool is_given() const { return option_->count() > 0 || hardware_.is_given(); }
+  const FrictionFlags& friction() const { return friction_; }
   // Effects on routings may name those of the catalogue.
   ModelFile read(const Catalogue& catalogue) const;
   std::string name() const;  // of where it comes from
@@ -127,6 +133,7 @@ struct ModelOption {
 
  private:
   HardwareOption hardware_;
+  FrictionFlags friction_;
   std::string file_;
   CLI::Option* option_ = nullptr;
 };
@@ -145,9 +152,15 @@ struct FormatOption {
 // Of --constraint, each once.
 std::vector<Constraint> read_constraints(const std::vector<std::string>& texts);
 
+// The parts and fingers that are asked for, and what the default of --parts leaves out.
+struct AskedParts {
+  GeneratorOptions generator;
+  std::optional<LeftOutParts> left_out;
+};
+
 struct GeneratorFlags {
   int fingers = 2;
-  std::string parts = "full";
+  std::string parts = "field";
   std::string tips;
   std::string joins;
   std::string ends;
@@ -157,9 +170,13 @@ struct GeneratorFlags {
   bool distinct = false;
 
   void add_to(CLI::App& command, bool with_tendons);
-  GeneratorOptions read() const;
+  // `tells_apart`: the fingers, whatever the options say. Throws InputError, also where there are
+  // too many routings to count.
+  AskedParts read(bool tells_apart = false) const;
 
  private:
+  GeneratorOptions read_parts() const;
+
   CLI::Option* tips_ = nullptr;
   CLI::Option* joins_ = nullptr;
   CLI::Option* ends_ = nullptr;
@@ -177,13 +194,18 @@ struct RankingFlags {
 
   void add_to(CLI::App& command);
   GraspSet read_grasps(int fingers) const;
+  bool has_grasps() const { return grasps_given_->count() > 0; }
   Score read_score() const;
   // By the score alone if it is given and the objectives are not.
   Order read_order() const;
 
  private:
+  CLI::Option* grasps_given_ = nullptr;
   CLI::Option* objectives_given_ = nullptr;
   CLI::Option* score_given_ = nullptr;
 };
+
+// What the hardware file says is to be varied, and kept equal. Throws InputError.
+void read_vary(const VaryTable& table, SizingOptions& options);
 
 }  // namespace reeve::cli

@@ -14,6 +14,7 @@
 #include "cli/complaint.hpp"
 #include "cli/launched.hpp"
 #include "cli/supervision.hpp"
+#include "cli/unknown_words.hpp"
 #include "core/error.hpp"
 #include "core/input_file.hpp"
 #include "core/version.hpp"
@@ -37,7 +38,13 @@ constexpr const char* description =
 
 std::string version_text() {
   const Version build = version();
-  return fmt::format("reeve {} ({})", build.number, build.commit);
+  return fmt::format("reeve {} ({})\nMIT licence, copyright 2026 the reeve authors; no warranty",
+                     build.number, build.commit);
+}
+
+std::string parse_complaint(const CLI::ParseError& error, const CLI::App& program) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return unknown_words(program);
+  return fmt::format("{}; see {}", error.what(), help_command(program));
 }
 
 // A script that hangs should say why.
@@ -55,18 +62,7 @@ int run(int argc, char** argv) {
   const Launch launch = launched();
   reeve.require_subcommand(0, 1);
   reeve.set_version_flag("--version", version_text());
-  add_explore(reeve, exit_code);
-  add_rank(reeve, exit_code);
-  add_show(reeve, exit_code);
-  add_count(reeve, exit_code);
-  add_check(reeve, exit_code);
-  add_compare(reeve, exit_code);
-  add_import(reeve, exit_code);
-  add_simulate(reeve, exit_code);
-  add_diagnose(reeve, exit_code);
-  add_size(reeve, exit_code);
-  add_merge(reeve, exit_code);
-  add_export(reeve, exit_code);
+  add_subcommands(reeve, exit_code);
   refuse_leading_zeros(reeve);
   reeve.parse_complete_callback([&] {
     if (!reeve.got_subcommand("explore")) require_alone(launch);
@@ -80,7 +76,7 @@ int run(int argc, char** argv) {
     parse(reeve, {argv + 1, argv + argc});
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
-      return complain(std::string(error.what()) + "; see reeve --help", bad_input);
+      return complain(parse_complaint(error, reeve), bad_input);
     }
     if (!follows_another()) reeve.exit(error);
     answered = true;

@@ -12,7 +12,7 @@
 
 namespace reeve::cli {
 
-// What --mu of `rank` asks for.
+// What --distributions of `rank` asks for.
 // "0.18,0.09,model": coefficients of tubes and sheaths alike, and the model as it is. Throws
 // InputError.
 std::vector<FrictionCase> read_friction_cases(const std::string& text, const Model& model);

@@ -88,7 +88,7 @@ std::string coefficients_text(const Model& model) {
       "friction coefficients of {:.4g} (tubes), {:.4g} (sheaths) and {:.4g} (bearings), wraps of "
       "{:.4g} rad (tubes) and {:.4g} rad (sheaths, in all)",
       hardware.tube.mu, hardware.sheath.mu, hardware.bearing.mu, hardware.tube.angle_rad,
-      hardware.sheath.angle_rad);
+      hardware.sheath.whole_angle_rad());
   for (const FingerHardware& finger : hardware.fingers) text += finger_text(finger);
   if (!hardware.contacts.empty()) {
     text += fmt::format(", others at {} contact{}", hardware.contacts.size(),

@@ -7,11 +7,14 @@
 #include "core/text.hpp"
 #include "pages/page_words.hpp"
 #include "pages/ranking_parts.hpp"
+#include "reports/assumed_words.hpp"
 #include "reports/data_text.hpp"
 #include "reports/document/text_table.hpp"
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/design_list.hpp"
+#include "reports/exploration/robust_report.hpp"
+#include "reports/motor_words.hpp"
 #include "reports/shared_carriage.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 
@@ -95,11 +98,20 @@ Json others(const RankReport& report, const Labels& labels) {
 // What the ladder decides; the first stands above.
 Json decision(const RankReport& report) {
   Json lines = Json::array();
-  if (report.ladder.rungs.size() < 2) return lines;
+  const auto add_motor = [&] {
+    for (const DocumentLine& line : motor_lines(report.motor, report.model.hardware.motor)) {
+      lines.push_back(line.text + ".");
+    }
+  };
+  if (report.ladder.rungs.size() < 2) {
+    add_motor();
+    return lines;
+  }
   for (const DocumentLine& line : answer_lines(report.designs, report.ladder)) {
     lines.push_back(line.text + ".");
   }
   lines.erase(0);
+  add_motor();
   for (const DocumentLine& line : shared_carriage_lines(one_of_each(report.designs))) {
     lines.push_back(line.text + ".");
   }
@@ -113,6 +125,9 @@ std::string uncertainty(const RankReport& report, const Labels& labels) {
       "With coefficients drawn from their ranges ({}, seed {}) {} is first in {} of the draws.",
       plural(report.uncertainty->draws, "draw"), report.uncertainty->seed, labels[0],
       share_text(drawn.first));
+  for (const DocumentLine& line : robust_lines(report.robust_first)) {
+    text += " " + line.text + ".";
+  }
   for (const DocumentLine& line : shared_first_lines(report.designs)) text += " " + line.text + ".";
   return text;
 }
@@ -150,6 +165,7 @@ Json ranking_answer(const RankReport& report, const Labels& labels) {
               {"front", front(report, labels)},
               {"uncertainty", uncertainty(report, labels)},
               {"margin", margin(report, labels)}};
+  values["assumed"] = assumed_text(report.model);
   values["decision"] = decision(report);
   values["others"] = others(report, labels);
   const auto& data = report.details->distributions.data;

@@ -106,6 +106,7 @@ HtmlTable bands_table(const RankReport& report) {
 
 std::string uncertainty_html(const UncertaintyOptions& options) {
   const UncertaintyRanges& ranges = options.ranges;
+  const ContactScatter& scatter = options.nominal.hardware.scatter;
   const auto percent = [](double half_width) {
     return fmt::format("± {:.3g} %", 100 * half_width);
   };
@@ -116,6 +117,9 @@ std::string uncertainty_html(const UncertaintyOptions& options) {
              fmt::format("{:g} to {:g}", ranges.sheath_mu.low, ranges.sheath_mu.high)});
   table.add({"friction coefficient of the bearings", percent(ranges.bearing_mu_relative)});
   table.add({"wrap angle of the sheaths", percent(ranges.sheath_angle_relative)});
+  const auto deviation = [](double relative) { return fmt::format("σ {:.3g} %", 100 * relative); };
+  table.add({"each tube's and sheath's own exponent", deviation(scatter.relative)});
+  table.add({"each bearing's own exponent", deviation(scatter.bearing_relative)});
   table.add({"draws", std::to_string(options.draws)});
   table.add({"seed", std::to_string(options.seed)});
   return html({"ranges-table", "Ranges from which the coefficients were drawn", std::move(table)});

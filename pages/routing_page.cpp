@@ -9,8 +9,10 @@
 #include "pages/shell/settings.hpp"
 #include "pages/shell/template.hpp"
 #include "pages/tension_charts.hpp"
+#include "reports/assumed_words.hpp"
 #include "reports/document/text_table.hpp"
 #include "reports/hand_report.hpp"
+#include "reports/jam_words.hpp"
 #include "reports/shared_carriage.hpp"
 
 namespace reeve::pages {
@@ -90,18 +92,21 @@ PageFiles routing_page(const ShownRouting& report, const std::string& command) {
         schematic_html("schematic-" + grasp_id(shown.grasp), report, shown, file);
     page.figures.push_back(schematic_file(file, report, shown));
   }
-  Json values{{"name", report.name},
-              {"word", report.word},
-              {"canonical", report.canonical == report.word ? "" : report.canonical},
-              {"verb", verb(report.direction)},
-              {"summary", summary(report)},
-              {"shared", shared_carriage_text(report.network)},
-              {"jams", jams(report)},
-              {"objectives", html(routing_objectives(report))},
-              {"first", first},
-              {"others", others},
-              {"tensions", html(tension_table(report))},
-              {"contacts", html(contact_table(report))}};
+  Json values{
+      {"name", report.name},
+      {"word", report.word},
+      {"canonical", report.canonical == report.word ? "" : report.canonical},
+      {"verb", verb(report.direction)},
+      {"summary", summary(report)},
+      {"shared", shared_carriage_text(report.network)},
+      {"jams", jams(report)},
+      {"jam_sentence", jam_sentence(report.smallest_jams, report.values, report.network.fingers)},
+      {"assumed", assumed_text(report.model)},
+      {"objectives", html(routing_objectives(report))},
+      {"first", first},
+      {"others", others},
+      {"tensions", html(tension_table(report))},
+      {"contacts", html(contact_table(report))}};
   values["glossary"] = glossary_html("Strand, held, jam, slides: what they mean", routing_terms());
   values["hand"] = hand_values(report);
   values["has_strands"] = report.network.fingers > 0;

@@ -60,7 +60,9 @@ std::string motor_html(const SizingDetails& details) {
     };
     table.add({what, unit, cell(before), cell(sized)});
   };
-  add("force", "N", &MotorDemand::force_N);
+  add("force, nominal", "N", &MotorDemand::force_N);
+  table.add({"force, in 95 % of the draws", "N", short_text(details.before.hand->drawn->p95_N),
+             short_text(details.sized.hand->drawn->p95_N)});
   add_motion("stroke", "mm", &MotorDemand::stroke_mm);
   add_motion("speed", "mm/s", &MotorDemand::speed_mm_s);
   add("power, at most", "W", &MotorDemand::power_W);
@@ -70,7 +72,8 @@ std::string motor_html(const SizingDetails& details) {
     table.add(
         {"speed of the spool", "rpm", short_text(*before.spool_rpm), short_text(*sized.spool_rpm)});
   }
-  return html({"motor-table", "The motor, at the nominal coefficients", std::move(table)});
+  return html({"motor-table", "The motor, at the nominal coefficients but for the quantile",
+               std::move(table)});
 }
 
 // Without a hand there is nothing to fill in.

@@ -26,10 +26,12 @@ std::string place(const CheckItem& item) {
                      quantity_text(item));
 }
 
-Section reasons(const CheckReport& report, const char* title, bool open) {
+Section reasons(const CheckReport& report, const char* title,
+                const std::vector<CheckStatus>& statuses) {
   Section section{title, std::nullopt, {}};
   for (const CheckItem& item : report.items) {
-    if (item.reason.empty() || (item.status == CheckStatus::open) != open) continue;
+    const bool listed = std::find(statuses.begin(), statuses.end(), item.status) != statuses.end();
+    if (item.reason.empty() || !listed) continue;
     section.lines.push_back({fmt::format("{}: {}", place(item), item.reason)});
   }
   return section;
@@ -69,6 +71,7 @@ Tint tint(CheckStatus status) {
     case CheckStatus::used:
       return Tint::none;
     case CheckStatus::explained:
+    case CheckStatus::refuted:
     case CheckStatus::open:
       return Tint::notable;
     case CheckStatus::differs:
@@ -82,6 +85,9 @@ std::string counts_text(const CheckReport& report, const std::string& family) {
   std::string text = fmt::format("{} agree", count(CheckStatus::agrees));
   if (const auto used = count(CheckStatus::used); used > 0) text += fmt::format(", {} used", used);
   text += fmt::format(", {} explained", count(CheckStatus::explained));
+  if (const auto refuted = count(CheckStatus::refuted); refuted > 0) {
+    text += fmt::format(", {} refuted", refuted);
+  }
   if (const auto open = count(CheckStatus::open); open > 0) text += fmt::format(", {} open", open);
   return text + fmt::format(", {} differ", count(CheckStatus::differs));
 }
@@ -164,8 +170,12 @@ Document check_sheet(const CheckReport& report) {
   for (const std::string& family : report.families()) {
     document.add(family_section(report, family));
   }
-  document.add(reasons(report, "Why they differ", false));
-  document.add(reasons(report, "Open: they differ, and it is not known why", true));
+  document.add(reasons(report, "Why they differ",
+                       {CheckStatus::agrees, CheckStatus::explained, CheckStatus::differs}));
+  document.add(reasons(report, "Used: an expression gives them, and its coefficient is from them",
+                       {CheckStatus::used}));
+  document.add(reasons(report, "Refuted: what they would take", {CheckStatus::refuted}));
+  document.add(reasons(report, "Open: they differ, and it is not known why", {CheckStatus::open}));
   document.add(inferences(report));
   document.add(misprints(report));
   document.add({"", std::nullopt, {{counts_text(report, "")}}});

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/text.hpp"
+#include "reports/motor_words.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -77,7 +78,7 @@ void add_force_lines(const MotorDemand& demand, std::vector<DocumentLine>& lines
     return;
   }
   lines.push_back(
-      {fmt::format("Motor force {:.4g} N: finger {} asks for it, at its joint {}, with "
+      {fmt::format("Nominal motor force {:.4g} N: finger {} asks for it, at its joint {}, with "
                    "held {}. Friction costs {} of it: without, {:.4g} N would do",
                    demand.force_N, demand.weakest, demand.joint + 1, to_text(demand.grasp),
                    percent(demand.friction_cost()), demand.frictionless_N)});
@@ -108,15 +109,16 @@ void add_motion_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
                                *hand.motor.spool_radius_mm, *demand.torque_Nm, *demand.spool_rpm)});
 }
 
-void add_limit_line(const char* what, const char* unit, double asked,
-                    const std::optional<double>& limit, const char* where_enough,
-                    std::vector<DocumentLine>& lines) {
-  // That no force is enough, or that there is no stroke, is said already.
-  if (!limit || !std::isfinite(asked)) return;
-  const bool enough = asked <= *limit;
-  lines.push_back({fmt::format("The motor's {} of {:.4g} {} is {}: {} of it {} needed", what,
-                               *limit, unit, enough ? where_enough : "not enough",
-                               percent(asked / *limit), enough ? "are" : "would be"),
+void add_stroke_line(const ShownHand& hand, std::vector<DocumentLine>& lines) {
+  const std::optional<double>& limit = hand.motor.stroke_mm;
+  const MotorDemand& demand = hand.demand;
+  // That there is no stroke is said already.
+  if (!limit || !demand.can_move()) return;
+  const bool enough = demand.stroke_mm <= *limit;
+  const char* where_enough = demand.closure < 1 ? "enough for as far as the hand closes" : "enough";
+  lines.push_back({fmt::format("The motor's stroke of {:.4g} mm is {}: {} of it {} needed", *limit,
+                               enough ? where_enough : "not enough",
+                               percent(demand.stroke_mm / *limit), enough ? "are" : "would be"),
                    !enough});
 }
 
@@ -135,9 +137,10 @@ void add_reach_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
                                           reach.weakest, reach.joint + 1, to_text(reach.grasp));
     lines.push_back(
         {reach.share > 0
-             ? fmt::format("With {:.4g} N the fingers press with {} of all wanted forces or more: "
-                           "{}, {:.3g} N",
-                           reach.motor_N, percent(reach.share), where, reach.force_N)
+             ? fmt::format(
+                   "With {:.4g} N the fingers press with {} of all wanted forces or more, at "
+                   "the nominal coefficients: {}, {:.3g} N",
+                   reach.motor_N, percent(reach.share), where, reach.force_N)
              : fmt::format("With {:.4g} N not every finger closes and presses: {}", reach.motor_N,
                            where)});
   }
@@ -197,15 +200,12 @@ Json grasps_json(const ShownHand& hand) {
   });
 }
 
-Json enough(double asked, const std::optional<double>& limit) {
-  return value_or_null(limit, [&](double most) { return Json(asked <= most); });
-}
-
 Json motor_json(const ShownHand& hand) {
   const MotorDemand& demand = hand.demand;
   const auto of_motion = [&](double value) {
     return demand.can_move() ? number(value) : Json(nullptr);
   };
+  const auto reaches = [&](double most) { return Json(demand.stroke_mm <= most); };
   return {
       {"force_N", number(demand.force_N)},
       {"frictionless_N", number(demand.frictionless_N)},
@@ -224,9 +224,9 @@ Json motor_json(const ShownHand& hand) {
       {"fingers_J", number(demand.fingers_J)},
       {"torque_Nm", value_or_null(demand.torque_Nm, number)},
       {"spool_rpm", demand.can_move() ? value_or_null(demand.spool_rpm, number) : Json(nullptr)},
-      {"force_is_enough", enough(demand.force_N, hand.motor.force_N)},
+      {"drawn", motor_force_json(hand.drawn, hand.motor)},
       {"stroke_is_enough",
-       demand.can_move() ? enough(demand.stroke_mm, hand.motor.stroke_mm) : Json(nullptr)},
+       demand.can_move() ? value_or_null(hand.motor.stroke_mm, reaches) : Json(nullptr)},
       {"force_reach", value_or_null(hand.force_reach, force_reach_json)},
       {"stroke_reach", value_or_null(hand.stroke_reach, stroke_reach_json)}};
 }
@@ -236,13 +236,9 @@ Json motor_json(const ShownHand& hand) {
 std::vector<Section> hand_sections(const ShownHand& hand) {
   std::vector<DocumentLine> lines;
   add_force_lines(hand.demand, lines);
+  for (const DocumentLine& line : motor_lines(hand.drawn, hand.motor)) lines.push_back(line);
   add_motion_lines(hand, lines);
-  add_limit_line("force", "N", hand.demand.force_N, hand.motor.force_N, "enough", lines);
-  if (hand.demand.can_move()) {
-    add_limit_line("stroke", "mm", hand.demand.stroke_mm, hand.motor.stroke_mm,
-                   hand.demand.closure < 1 ? "enough for as far as the hand closes" : "enough",
-                   lines);
-  }
+  add_stroke_line(hand, lines);
   add_reach_lines(hand, lines);
   return {
       {"Hand: fingertip force per newton of motor tension, springs aside, and the motor tension\n"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "causes/term.hpp"
+#include "reports/assumed_words.hpp"
 #include "reports/law_words.hpp"
 
 namespace reeve::reports {
@@ -185,8 +186,15 @@ std::vector<DocumentLine> model_lines(const Model& model, std::uint64_t unconver
   return lines;
 }
 
-std::vector<std::string> absent_finger_notes(const Model& model, int fingers) {
-  std::vector<std::string> notes;
+std::vector<std::string> model_notes(const Model& model, int fingers) {
+  std::vector<std::string> notes = angle_notes(model.hardware);
+  const ContactLaw& sheath = model.hardware.sheath;
+  if (sheath.length_mm && sheath.wobble_rad_per_m == 0) {
+    notes.push_back(
+        fmt::format("the sheath length of {:.6g} mm has no effect: capstan friction "
+                    "depends on the sum of the bends, not on the length",
+                    *sheath.length_mm));
+  }
   for (const FingerHardware& finger : model.hardware.fingers) {
     if (finger.finger <= fingers) continue;
     notes.push_back(absent_finger_note(fmt::format("[finger.{}] of the hardware", finger.finger),
@@ -199,9 +207,9 @@ std::vector<std::string> absent_finger_notes(const Model& model, int fingers) {
   return notes;
 }
 
-std::vector<DocumentLine> absent_finger_lines(const Model& model, int fingers) {
+std::vector<DocumentLine> model_note_lines(const Model& model, int fingers) {
   std::vector<DocumentLine> lines;
-  for (const std::string& note : absent_finger_notes(model, fingers)) {
+  for (const std::string& note : model_notes(model, fingers)) {
     lines.push_back({"Note: " + note, true});
   }
   return lines;

@@ -21,10 +21,11 @@ Json model_json(const Model& model, std::uint64_t unconverged);
 // None for the plain friction model.
 std::vector<DocumentLine> model_lines(const Model& model, std::uint64_t unconverged);
 
-// A sentence for each finger of the hardware, and each effect on one, that routings of so many
-// fingers do not have.
-std::vector<std::string> absent_finger_notes(const Model& model, int fingers);
-std::vector<DocumentLine> absent_finger_lines(const Model& model, int fingers);
+// A sentence for each angle that may be meant in degrees, and for each thing that is given and has
+// no effect: the length of the sheaths; a finger of the hardware, and an effect on one, that
+// routings of so many fingers do not have.
+std::vector<std::string> model_notes(const Model& model, int fingers);
+std::vector<DocumentLine> model_note_lines(const Model& model, int fingers);
 
 // A sentence for each coefficient that its own range leaves out: ranges that nobody has given are
 // those of Teflon on steel, whatever the hardware's own coefficients are.

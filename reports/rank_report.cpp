@@ -3,13 +3,16 @@
 #include <utility>
 
 #include "core/text.hpp"
+#include "reports/assumed_words.hpp"
 #include "reports/data_text.hpp"
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/design_list.hpp"
 #include "reports/exploration/ladder_report.hpp"
+#include "reports/exploration/robust_report.hpp"
 #include "reports/exploration/sweep_report.hpp"
 #include "reports/model_text.hpp"
+#include "reports/motor_words.hpp"
 #include "reports/output/json.hpp"
 #include "reports/output/stamp.hpp"
 #include "reports/show_report.hpp"
@@ -119,11 +122,13 @@ void add_details(Json& json, const RankDetails& details) {
 
 Document rank_document(const RankReport& report, const ListColumns& wanted) {
   const ListColumns columns = priced(wanted, report.prices);
-  std::vector<DocumentLine> lines = model_lines(report.model, report.unconverged);
+  std::vector<DocumentLine> lines{{assumed_text(report.model)}};
+  for (const DocumentLine& line : model_lines(report.model, report.unconverged)) {
+    lines.push_back(line);
+  }
   if (!report.designs.empty()) {
     const int fingers = finger_count(report.designs.front().routing);
-    for (const DocumentLine& line : absent_finger_lines(report.model, fingers))
-      lines.push_back(line);
+    for (const DocumentLine& line : model_note_lines(report.model, fingers)) lines.push_back(line);
   }
   if (report.uncertainty || report.margins) {
     const Hardware nominal = effective_hardware(report.model);
@@ -139,8 +144,14 @@ Document rank_document(const RankReport& report, const ListColumns& wanted) {
       {{"", std::nullopt, lines},
        {"", design_table(shown, shown_objectives(report.order, report.score), columns),
         list_notes(shown)}}};
+  const std::vector<DocumentLine> motor = motor_lines(report.motor, report.model.hardware.motor);
+  if (report.designs.size() == 1) document.add({"", std::nullopt, motor});
   if (report.designs.size() > 1) {
     std::vector<DocumentLine> answer = answer_lines(report.designs, report.ladder);
+    answer.insert(answer.end(), motor.begin(), motor.end());
+    for (const DocumentLine& line : robust_lines(report.robust_first)) {
+      answer.push_back(line);
+    }
     for (const DocumentLine& line : shared_first_lines(report.designs)) answer.push_back(line);
     document.add({"", std::nullopt, answer});
   }
@@ -164,6 +175,9 @@ std::string rank_json(const RankReport& report) {
   json["settings"]["sweep"] =
       sweep_settings(report.sweep ? std::optional(report.sweep->sweep.over) : std::nullopt);
   json["ladder"] = ladder_json(report.ladder);
+  json["never_jams"] = never_jams_json(report.ladder);
+  json["robust_first"] = robust_json(report.robust_first);
+  json["motor"] = motor_force_json(report.motor, report.model.hardware.motor);
   if (report.margins) json["margins"] = list_json(*report.margins, margin_json);
   if (report.details) add_details(json, *report.details);
   if (report.sweep) json["sweep"] = sweep_json(*report.sweep);

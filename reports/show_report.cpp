@@ -5,7 +5,9 @@
 #include "core/motor_sides.hpp"
 #include "core/text.hpp"
 #include "drawing/schematic/schematic_svg.hpp"
+#include "reports/assumed_words.hpp"
 #include "reports/hand_report.hpp"
+#include "reports/jam_words.hpp"
 #include "reports/model_text.hpp"
 #include "reports/output/stamp.hpp"
 #include "reports/shared_carriage.hpp"
@@ -188,10 +190,12 @@ Document show_document(const ShownRouting& report) {
   if (const std::string shared = shared_carriage_text(report.network); !shared.empty()) {
     lines.push_back({shared});
   }
+  lines.push_back({jam_sentence(report.smallest_jams, report.values, report.network.fingers)});
+  lines.push_back({assumed_text(report.model)});
   for (const DocumentLine& line : model_lines(report.model, report.unconverged)) {
     lines.push_back(line);
   }
-  for (const DocumentLine& line : absent_finger_lines(report.model, report.network.fingers)) {
+  for (const DocumentLine& line : model_note_lines(report.model, report.network.fingers)) {
     lines.push_back(line);
   }
   Document document{{{"", std::nullopt, lines},
@@ -218,6 +222,7 @@ Json to_json(const ShownRouting& report) {
   json["grasps"] = list_json(
       report.grasps, [&](const ShownGrasp& shown) { return grasp_json(report.network, shown); });
   add_objectives(json, report.values);
+  json["smallest_jams"] = grasps_json(report.smallest_jams);
   if (report.hand) add_hand(json["hand"], *report.hand);
   json["model"] = model_json(report.model, report.unconverged);
   if (report.prices) json["prices"] = to_json(*report.prices);

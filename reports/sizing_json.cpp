@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "reports/motor_words.hpp"
 #include "reports/output/json.hpp"
 #include "reports/output/stamp.hpp"
 #include "reports/show_report.hpp"
@@ -60,8 +61,9 @@ Json flat_json(const SizedDesign& design, const FlatDirection& flat) {
   return {{"moves", moves_json(design, flat.moves)}, {"loss", flat.loss}};
 }
 
-Json goal_json(const SizedGoal& goal) {
+Json goal_json(const SizedGoal& goal, const MotorParts& motor) {
   Json json{{"goal", goal.goal}, {"nominal_goal", goal.nominal}, {"finger_shares", goal.shares}};
+  json["motor"] = motor_force_json(goal.motor, motor);
   add_objectives(json, goal.values);
   return json;
 }
@@ -89,8 +91,8 @@ Json design_json(const SizedRouting& routing) {
     json["dimensions"].push_back(variable_json(design, i));
   }
   for (const FlatDirection& flat : design.flat) json["flat"].push_back(flat_json(design, flat));
-  json["before"] = goal_json(design.before);
-  json["sized"] = goal_json(design.after);
+  json["before"] = goal_json(design.before, design.hardware.motor);
+  json["sized"] = goal_json(design.after, design.hardware.motor);
   json["hardware"] = to_json(design.hardware);
   return json;
 }
@@ -128,6 +130,8 @@ Json settings(const SizingReport& report) {
       list_json(options.same, [](const SameGroup& group) { return to_text(group.name); });
   json["starts"] = options.starts;
   json["evaluations"] = options.evaluations;
+  json["goal_grasps"] = to_json(goal_grasps(options));
+  json["told_draws"] = options.robust ? Json(told_draws(options)) : Json(nullptr);
   json.update(settings_json(Order(options.goal.factors), options.score, options.grasps,
                             options.nominal, report.unconverged));
   const UncertaintyOptions draws{options.nominal, options.ranges,

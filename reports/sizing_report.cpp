@@ -19,6 +19,7 @@
 #include "reports/document/document.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/model_text.hpp"
+#include "reports/motor_words.hpp"
 #include "reports/output/json.hpp"
 #include "reports/output/telling_digits.hpp"
 #include "reports/sizing_words.hpp"
@@ -42,26 +43,11 @@ std::vector<Objective> objectives_of(const SizingReport& report) {
 }
 
 // Dimensions that suit the goal may ask more of the motor than it has.
-std::vector<DocumentLine> motor_lines(const SizingReport& report) {
+std::vector<DocumentLine> demand_lines(const SizingReport& report) {
   const MotorParts& motor = report.options.nominal.hardware.motor;
-  const ObjectiveValues& values = report.designs.front().design.after.values;
-  std::vector<DocumentLine> lines;
-  const auto compare = [&](const std::optional<double>& has, Objective objective,
-                           const char* what) {
-    const double needed = value(values, objective);
-    if (!has || needed <= *has) return;
-    const std::string wanted =
-        std::isfinite(needed)
-            ? fmt::format("{} {} would be needed", fixed(needed, row(objective).decimals),
-                          row(objective).unit)
-            : "none is";
-    lines.push_back({fmt::format("The motor's {} of {:.4g} {} is not enough as it is sized: {}",
-                                 what, *has, row(objective).unit, wanted),
-                     true});
-  };
-  if (!hand(report.options.nominal.hardware)) return lines;
-  compare(motor.force_N, Objective::motor_force, "force");
-  compare(motor.stroke_mm, Objective::stroke, "stroke");
+  const SizedGoal& sized = report.designs.front().design.after;
+  std::vector<DocumentLine> lines = motor_lines(sized.motor, motor);
+  for (const DocumentLine& line : stroke_lines(sized.values, motor)) lines.push_back(line);
   return lines;
 }
 
@@ -78,7 +64,7 @@ Section objective_section(const SizingReport& report) {
                fixed(value(design.before.values, objective), about.decimals),
                fixed(value(design.after.values, objective), about.decimals)});
   }
-  return {"At the nominal coefficients", table, motor_lines(report)};
+  return {"At the nominal coefficients", table, demand_lines(report)};
 }
 
 std::string short_number(double value) { return fmt::format("{:.4g}", value); }
@@ -93,8 +79,10 @@ std::vector<DocumentLine> opening_lines(const SizingReport& report) {
   for (const DocumentLine& line : model_lines(options.nominal, report.unconverged)) {
     lines.push_back(line);
   }
-  lines.push_back(
-      {"Sized for " + goal_text(options) + ", over the grasps " + to_text(options.grasps)});
+  const bool few = options.robust && options.draws < told_draws(options);
+  lines.push_back({"Sized for " + goal_text(options) + ", over the grasps " +
+                   to_text(goal_grasps(options)) +
+                   (few ? fmt::format("; searched with the first {} draws", options.draws) : "")});
   return lines;
 }
 

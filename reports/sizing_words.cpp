@@ -14,8 +14,8 @@ std::string goal_text(const SizingOptions& options) {
   if (!options.robust) return what + " at the nominal coefficients";
   const double quantile =
       options.goal.better() == Better::higher ? robust_quantile : 1 - robust_quantile;
-  return fmt::format("the {:.0f} % quantile of {} over {} draw{} of the coefficients",
-                     100 * quantile, what, options.draws, options.draws == 1 ? "" : "s");
+  return fmt::format("the {:.0f} % quantile of {} over {} draws of the coefficients",
+                     100 * quantile, what, told_draws(options));
 }
 
 std::string title_of(const SizedRouting& routing) {

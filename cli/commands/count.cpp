@@ -25,8 +25,9 @@ struct CountFlags {
 };
 
 CountReport counted(const CountFlags& flags) {
-  const GeneratorOptions options = flags.generator.read();
-  CountReport report{options.parts, {}, read_constraints(flags.constraints), {}};
+  const AskedParts asked = flags.generator.read();
+  const GeneratorOptions& options = asked.generator;
+  CountReport report{options.parts, asked.left_out, {}, read_constraints(flags.constraints), {}};
   report.counts = for_option(fmt::format("--fingers {}", options.fingers), [&] {
     return count_routings(options.parts, options.fingers, options.identity);
   });

@@ -189,17 +189,19 @@ CLI::Validator number(double low, bool or_low, double high) {
 void add_settings(CLI::App& command, DiagnoseFlags& flags) {
   DiagnosisSettings& settings = flags.settings;
   command
-      .add_option("--alpha", settings.alpha,
-                  "Chance of naming a cause where there is none, over the whole search")
+      .add_option(
+          "--alpha", settings.alpha,
+          "Threshold at which a coefficient differs, and at a quarter of which structure is left")
       ->check(number(least_alpha, true, 0.5))
       ->capture_default_str();
   command
-      .add_option("--hold-out", settings.hold_out,
-                  "Share of the runs that no fit sees, on which the gain is measured")
+      .add_option(
+          "--hold-out", settings.hold_out,
+          "Share of the runs that are sealed for one last test of the gain (0: each fold of runs is "
+          "forecast by a model that has not seen it)")
       ->check(number(0, true, 0.9))
       ->capture_default_str();
-  command
-      .add_option("--seed", settings.seed, "Seed: which runs are held out, and what chance draws")
+  command.add_option("--seed", settings.seed, "Seed: which runs are sealed, and what chance draws")
       ->check(is_seed)
       ->capture_default_str();
   flags.replicates_given =

@@ -42,12 +42,14 @@ struct ExploreInputs {
   UncertaintyOptions drawn;
   std::optional<UncertaintyOptions> uncertainty;
   std::optional<CoefficientRange> over;
+  std::optional<SizingOptions> target;
   ListColumns columns;
 };
 
 ExploreReport planned(const ExploreInputs& inputs) {
   ExploreReport report = planned_report(inputs.options, inputs.uncertainty, inputs.catalogue);
   report.sweep_over = inputs.over;
+  if (inputs.target) report.target_shares = inputs.target->goal.target;
   return report;
 }
 
@@ -66,6 +68,7 @@ ExploreInputs read(const ExploreFlags& flags) {
   const ModelFile file = flags.model.read(inputs.catalogue);
   inputs.options = flags.read(file.model, inputs.catalogue);
   inputs.drawn = flags.read_uncertainty(file, inputs.options);
+  inputs.target = flags.read_target(file, inputs.options);
   const ListedWith with{inputs.options.prices.has_value(), hand(file.model.hardware).has_value(),
                         flags.ranking.uncertainty, !inputs.options.constraints.empty()};
   inputs.columns =
@@ -106,6 +109,11 @@ ExploreReport made(const ExploreInputs& inputs, const std::vector<ShardRecord>& 
                                                  inputs.catalogue, supervision, checkpoint, search)
                              : merged_study(inputs.options, inputs.uncertainty, records,
                                             inputs.catalogue, supervision);
+  add_motor(report, inputs.drawn);
+  if (inputs.target) report.target_shares = inputs.target->goal.target;
+  if (inputs.target && !report.result.partial) {
+    report.target = target_study(inputs.options, *inputs.target, inputs.catalogue, supervision);
+  }
   if (inputs.over) {
     add_sweep(report, {inputs.drawn, inputs.uncertainty.has_value(), *inputs.over}, supervision);
   }
@@ -182,7 +190,7 @@ int run(const ExploreInputs& inputs, const ExploreFlags& flags, const CLI::App& 
       flags.out, flags.format);
   if (!partial_note(report).empty()) return interrupted;
   const bool none_is_left = report.result.evaluated > 0 && report.top.empty();
-  return none_is_left ? answer_is_no : done;
+  return none_is_left || misses_target(report.target) ? answer_is_no : done;
 }
 
 // The command that the shards are parts of. How their own lists were shown is no part of it.

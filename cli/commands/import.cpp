@@ -11,9 +11,12 @@
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
+#include "reports/guess_report.hpp"
 #include "reports/import_report.hpp"
 #include "reports/log_chart.hpp"
 #include "reports/output/files.hpp"
+#include "reports/output/shell_word.hpp"
+#include "studies/guess_study.hpp"
 #include "studies/import_study.hpp"
 
 namespace reeve::cli {
@@ -30,6 +33,7 @@ struct ImportFlags {
   CLI::Option* out_given = nullptr;
   CLI::Option* plot_given = nullptr;
   CLI::Option* direction_given = nullptr;
+  bool guess = false;
   FormatOption format;
 };
 
@@ -51,6 +55,27 @@ ImportReport report(const ImportFlags& flags) {
   }
   return import_study(read_logged_series(flags.log, flags.columns.options()), flags.labels, options,
                       [&](const std::string& text) { return read_routing(text, catalogue); });
+}
+
+// The command that imports the log by the mapping; what nobody has said stands in capitals.
+std::string command_by(const GuessReport& result, const CLI::App& command) {
+  std::string text = command_line(command, {"--guess", "--map", "--format"});
+  for (const ColumnMeaning& mapped : result.guess.map) {
+    text += " --map " + shell_word(mapped.column + "=" + mapped.meaning);
+  }
+  if (result.lacks_routing) text += " --routing ROUTING";
+  return text + " -o readings.csv";
+}
+
+int guess(const ImportFlags& flags, const CLI::App& command) {
+  const Catalogue catalogue = shipped_catalogue();
+  const GuessReport result =
+      guess_study(flags.log, flags.columns.options(), flags.labels,
+                  [&](const std::string& text) { return read_routing(text, catalogue); });
+  const std::string next = command_by(result, command);
+  std::cout << (flags.format.is("json") ? guess_json(result, next)
+                                        : printed(guess_document(result, next), flags.format));
+  return result.can_be_imported() ? done : answer_is_no;
 }
 
 void print(const ImportReport& result, const ImportFlags& flags, bool written) {
@@ -75,6 +100,7 @@ std::string import_command(const CLI::App& command) {
 }
 
 int run(const ImportFlags& flags, const CLI::App& command) {
+  if (flags.guess) return guess(flags, command);
   require_places(flags);
   const ImportReport result = report(flags);
   const bool found = !result.steady.readings.empty();
@@ -122,12 +148,17 @@ void add_steadiness(CLI::App& command, SteadyOptions& options) {
 void add_options(CLI::App& command, ImportFlags& flags) {
   command
       .add_option("log", flags.log,
-                  "CSV file with a row for each sample; docs/data.md describes its columns")
+                  "CSV file with a row for each sample; docs/logger.md describes its columns")
       ->required();
   flags.out_given = command.add_option("-o,--output", flags.out,
                                        "CSV file for the readings (default: none written)");
   flags.plot_given = command.add_option(
       "--plot", flags.plot, "SVG file: the signals, what was taken, and what was left out and why");
+  command
+      .add_flag("--guess", flags.guess,
+                "Propose what the columns mean, show the first samples and list what is missing")
+      ->excludes(flags.out_given)
+      ->excludes(flags.plot_given);
   flags.columns.add_columns_to(command);
   add_labels(command, flags);
   add_steadiness(command, flags.options);

@@ -50,7 +50,7 @@ struct RankFlags {
   std::string data;
   CLI::Option* data_given = nullptr;
   ReadingFlags readings;
-  std::string mu = "0.18,0.09";
+  std::string distributions = "0.18,0.09";
   RankingFlags ranking;
   LadderFlags ladder;
   SweepFlags sweep;
@@ -101,7 +101,7 @@ RankInputs read(const RankFlags& flags) {
   inputs.file = flags.model.read(inputs.catalogue);
   require_contacts_to_match(inputs.file.model.hardware, inputs.routings);
   require_known_fingers(inputs.file.model.hardware, finger_count(inputs.routings.front()));
-  inputs.cases = read_friction_cases(flags.mu, inputs.file.model);
+  inputs.cases = read_friction_cases(flags.distributions, inputs.file.model);
   if (flags.data_given->count() > 0) {
     inputs.data = flags.readings.read(flags.data, inputs.catalogue);
   }
@@ -273,7 +273,7 @@ void add_options(CLI::App& command, RankFlags& flags) {
   flags.readings.add_to(command, flags.data_given);
   command
       .add_option(
-          "--mu", flags.mu,
+          "--distributions", flags.distributions,
           "For the page: friction coefficients of tubes and sheaths, for each of which the "
           "tension distributions are drawn; 'model': as the hardware and the model have them")
       ->needs(out)
@@ -282,7 +282,7 @@ void add_options(CLI::App& command, RankFlags& flags) {
   flags.ranking.add_to(command);
   flags.ladder.add_to(command);
   flags.sweep.add_to(command, "the designs");
-  flags.model.add_to(command);
+  flags.model.add_with_friction_to(command);
   flags.tables.add_to(command, "the ranking");
   flags.format.add_to(command, with_tables({"json", "csv"}));
 }

@@ -49,13 +49,22 @@ ShownRouting report(const ShowFlags& flags) {
   const Routing routing = read_actuated_routing(flags.routing, catalogue);
   const Mechanism* mechanism = catalogue.find_mechanism(flags.routing);
   const bool own = mechanism != nullptr && mechanism->hardware && !flags.model.is_given();
-  const Model model = own ? Model{*mechanism->hardware} : flags.model.read(catalogue).model;
+  ModelFile file;
+  if (own) {
+    file.model = Model{*mechanism->hardware};
+  } else {
+    file = flags.model.read(catalogue);
+  }
+  Model& model = file.model;
+  if (own) flags.model.friction().apply(model.hardware);
   require_contacts_to_match(model.hardware, {routing});
   require_known_fingers(model.hardware, finger_count(routing));
   const Direction direction = flags.direction == "pull" ? Direction::pull : Direction::release;
-  ShownRouting shown = shown_routing(routing, model, grasps(flags, finger_count(routing)),
-                                     direction, catalogue, flags.prices.read());
-  shown.own_hardware = own;
+  const GraspSet asked = grasps(flags, finger_count(routing));
+  ShownRouting shown =
+      shown_routing(routing, model, asked, direction, catalogue, flags.prices.read());
+  if (shown.hand) shown.hand->drawn = motor_force(routing, {model, file.uncertainty, asked, {}});
+  shown.own_hardware = own && !flags.model.friction().is_given();
   // Another mechanism may have the same word.
   if (mechanism != nullptr) shown.name = mechanism->name;
   return shown;
@@ -144,7 +153,7 @@ void add_options(CLI::App& command, ShowFlags& flags) {
                    "the parts alone, no tensions)");
   flags.out.add_to(command, "a page, index.html, with routing.json and figures/");
   flags.prices.add_to(command, "adds what this routing costs");
-  flags.model.add_to(command);
+  flags.model.add_with_friction_to(command);
   flags.format.add_to(command, with_tables({"json", "dot"}));
 }
 

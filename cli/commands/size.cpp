@@ -72,10 +72,11 @@ void add_goal(CLI::App& command, SizeFlags& flags) {
   flags.score_given =
       command.add_option("--score", flags.score, "For --goal score: objectives with weights")
           ->default_str("authors");
-  flags.grasps_given = command
-                           .add_option("--grasps", flags.grasps,
-                                       "As of rank; with --target none held, unless they are given")
-                           ->capture_default_str();
+  flags.grasps_given =
+      command
+          .add_option("--grasps", flags.grasps,
+                      "As of rank; the target itself with none held, unless they are given")
+          ->capture_default_str();
 }
 
 void add_search(CLI::App& command, SizeFlags& flags) {
@@ -127,7 +128,7 @@ void add_options(CLI::App& command, SizeFlags& flags) {
   flags.save_given = command.add_option("--save-hardware", flags.save,
                                         "Write the hardware, as it is sized, as a TOML file");
   flags.out.add_to(command, "a page, index.html, with sizing.json and figures/");
-  flags.model.add_to(command);
+  flags.model.add_with_friction_to(command);
   flags.tables.add_to(command, "the dimensions, or of the routings sized");
   flags.format.add_to(command, with_tables({"json"}));
 }
@@ -188,17 +189,7 @@ void read_bounds(const SizeFlags& flags, const VaryTable& table, SizingOptions& 
     }
   }
   if (flags.vary.empty()) {
-    for (const GivenBounds& given : table.bounds) {
-      options.varied.push_back(varied_range(given.name, {given.low, given.high}, given.place));
-    }
-  }
-  if (flags.same.empty() && flags.vary.empty()) {
-    for (const GivenSame& given : table.same) {
-      for (SameGroup& group : for_option(given.place, [&] { return parse_same(given.text); })) {
-        group.text = given.place;
-        options.same.push_back(std::move(group));
-      }
-    }
+    read_vary({table.bounds, flags.same.empty() ? table.same : std::vector<GivenSame>{}}, options);
   }
   if (options.varied.empty()) {
     throw InputError({.where = "size",
@@ -228,9 +219,11 @@ SizingOptions read_options(const SizeFlags& flags, const ModelFile& file, int fi
   options.ranges = file.uncertainty;
   options.robust = !flags.nominal;
   const bool targeted = flags.target_given->count() > 0;
+  options.grasps = for_name("--", [&] { return parse_grasps(flags.grasps, fingers); });
   // A target is of all fingers that close; with one held, friction in it turns.
-  const std::string grasps = targeted && flags.grasps_given->count() == 0 ? "none" : flags.grasps;
-  options.grasps = for_name("--", [&] { return parse_grasps(grasps, fingers); });
+  if (targeted && flags.grasps_given->count() == 0) {
+    options.target_grasps = parse_grasps("none", fingers);
+  }
   options.score = for_name("--", [&] { return parse_score(flags.score); });
   options.goal = for_name("--", [&] {
     return targeted ? parse_target(flags.target, fingers) : parse_goal(flags.goal);
@@ -247,7 +240,7 @@ SizingOptions read_options(const SizeFlags& flags, const ModelFile& file, int fi
 std::vector<std::string> notes(const SizeFlags& flags, const SizingOptions& options, int fingers) {
   std::vector<std::string> notes;
   if (options.robust) notes = range_notes(effective_hardware(options.nominal), options.ranges);
-  for (std::string& note : absent_finger_notes(options.nominal, fingers)) {
+  for (std::string& note : model_notes(options.nominal, fingers)) {
     notes.push_back(std::move(note));
   }
   if (flags.from_given->count() == 0) return notes;

@@ -38,6 +38,13 @@ void require_possible_contacts(const Hardware& hardware, const GeneratorOptions&
                                 "that are explored"});
 }
 
+// Of the sheaths, where the hardware file says nothing: half to twice of their bend.
+std::vector<VariedRange> usual_ranges(const Hardware& hardware) {
+  const double angle = hardware.sheath.angle_rad;
+  if (angle == 0) return {};
+  return {varied_range("sheath_angle", {angle / 2, 2 * angle}, "by default")};
+}
+
 }  // namespace
 
 ParsedExplore::ParsedExplore(const std::vector<std::string>& arguments, const std::string& place) {
@@ -89,7 +96,9 @@ Checkpoint StoreFlags::checkpoint(ExplorationStore& store) const {
 
 ExploreOptions ExploreFlags::read(const Model& with, const Catalogue& catalogue) const {
   ExploreOptions options;
-  options.generator = generator.read();
+  const AskedParts asked = generator.read(target_given->count() > 0);
+  options.generator = asked.generator;
+  options.left_out = asked.left_out;
   // Says early, before anything is written, if there are too many to count.
   for_option(fmt::format("--fingers {}", generator.fingers),
              [&] { return RoutingGenerator(options.generator).total(); });
@@ -127,6 +136,26 @@ UncertaintyOptions ExploreFlags::read_uncertainty(const ModelFile& file,
   return drawn;
 }
 
+std::optional<SizingOptions> ExploreFlags::read_target(const ModelFile& file,
+                                                       const ExploreOptions& options) const {
+  if (target_given->count() == 0) return std::nullopt;
+  const int fingers = options.generator.fingers;
+  SizingOptions sizing;
+  sizing.nominal = file.model;
+  sizing.ranges = file.uncertainty;
+  sizing.grasps = options.grasps;
+  sizing.score = options.score;
+  sizing.goal = for_name("--", [&] { return parse_target(target, fingers); });
+  if (!ranking.has_grasps()) sizing.target_grasps = parse_grasps("none", fingers);
+  read_vary(file.vary, sizing);
+  if (sizing.varied.empty()) sizing.varied = usual_ranges(file.model.hardware);
+  sizing.robust = false;
+  sizing.starts = 2;
+  sizing.seed = ranking.seed;
+  sizing.threads = ranking.threads;
+  return sizing;
+}
+
 void ExploreFlags::add_to(CLI::App& command) {
   generator.add_to(command, true);
   ranking.add_to(command);
@@ -137,10 +166,15 @@ void ExploreFlags::add_to(CLI::App& command) {
       .add_option("--constraint", constraints,
                   "Keep only designs with, such as 'sheaths<=2'; may be given several times")
       ->allow_extra_args(false);
+  target_given = command.add_option(
+      "--target", target,
+      "Also which designs come nearest to this ratio of the fingers' pulls, such as "
+      "1=2,others=1: by statics, or on friction. Tells the fingers apart");
   shard_given =
       command
           .add_option("--shard", shard,
                       "i/N: only the i-th of N parts of the whole; reeve merge puts them together")
+          ->excludes(target_given)
           ->capture_default_str();
   command
       .add_option("--top", top, "How many of the best designs to keep; the front is always kept")
@@ -157,7 +191,7 @@ void ExploreFlags::add_to(CLI::App& command) {
           "Folder for index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, summary.json and "
           "figures, and sweep.csv of --sweep")
       ->capture_default_str();
-  model.add_to(command);
+  model.add_with_friction_to(command);
   tables.add_to(command, "the list of the best");
   format.add_to(command, with_tables({"json"}));
 }

@@ -15,6 +15,7 @@
 #include "search/checkpoint.hpp"
 #include "search/explore.hpp"
 #include "search/uncertainty/uncertainty.hpp"
+#include "sizing/sizing_problem.hpp"
 #include "store/exploration_store.hpp"
 #include "studies/exploration_study.hpp"
 
@@ -46,6 +47,9 @@ struct ExploreFlags {
   // Throws InputError that names the option.
   ExploreOptions read(const Model& model, const Catalogue& catalogue) const;
   UncertaintyOptions read_uncertainty(const ModelFile& file, const ExploreOptions& options) const;
+  // Nothing without --target.
+  std::optional<SizingOptions> read_target(const ModelFile& file,
+                                           const ExploreOptions& options) const;
 
   GeneratorFlags generator;
   RankingFlags ranking;
@@ -53,6 +57,8 @@ struct ExploreFlags {
   SweepFlags sweep;
   StoreFlags store;
   std::vector<std::string> constraints;
+  std::string target;
+  CLI::Option* target_given = nullptr;
   std::string shard = "1/1";
   CLI::Option* shard_given = nullptr;
   std::size_t top = 1000;

@@ -99,7 +99,7 @@ std::string groups_table(const DiagnosisReport& report) {
 }
 
 std::string weighed_table(const DiagnosisResult& result) {
-  Table table{{text_column("model"), text_column("stands as"), number_column("training runs"),
+  Table table{{text_column("model"), text_column("stands as"), number_column("all readings"),
                number_column("held-out runs"), number_column("95 % interval"),
                number_column("rms held out")},
               {}};
@@ -205,7 +205,7 @@ std::string friction_table(const Hardware& hardware) {
                number_column("wrap angle", "rad")},
               {}};
   const auto add = [&](const char* part, const ContactLaw& law) {
-    table.add({part, fmt::format("{:.4g}", law.mu), fmt::format("{:.4g}", law.angle_rad)});
+    table.add({part, fmt::format("{:.4g}", law.mu), fmt::format("{:.4g}", law.whole_angle_rad())});
   };
   add("tube", hardware.tube);
   add("bearing", hardware.bearing);

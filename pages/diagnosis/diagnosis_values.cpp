@@ -6,7 +6,7 @@
 
 #include "causes/term.hpp"
 #include "core/notation.hpp"
-#include "diagnosis/search/rivals.hpp"
+#include "diagnosis/fit/evidence.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
 #include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
@@ -129,7 +129,7 @@ Json cause_values(const DiagnosisReport& report) {
           {"not_confirmed", joined(result.not_confirmed)},
           {"groups", groups(result)},
           {"has_groups", !result.indistinguishable.empty()},
-          {"margin", fmt::format("{:.2g}", alias_margin)},
+          {"margin", fmt::format("{:.2g}", least_evidence)},
           {"chance", chance_text(result.p_value, report.settings.replicates)},
           {"has_held_out", result.held_out_runs > 0}};
 }

@@ -27,7 +27,7 @@ const std::array<StandingStyle, 4> standing_styles{
      {"not confirmed", {chart::Colour::pink, chart::Symbol::cross, 5.5}}}};
 
 std::string title(const WeighedCauses& weighed, const std::string& place) {
-  std::string text = fmt::format("{}: {}\ntraining runs: {}", joined_causes(weighed.causes), place,
+  std::string text = fmt::format("{}: {}\nall readings: {}", joined_causes(weighed.causes), place,
                                  gain_number(weighed.gain));
   if (weighed.held_out) {
     text +=
@@ -105,7 +105,7 @@ double model_row_px(const std::vector<WeighedCauses>& weighed) {
 std::string drawn_text(const DiagnosisResult& result) {
   if (result.weighed.size() <= most_models) return "";
   return fmt::format(
-      " Drawn are the named model and the best others on the training runs, {} of {}; the table has "
+      " Drawn are the named model and the likeliest others, {} of {}; the table has "
       "all.",
       most_models, result.weighed.size());
 }
@@ -120,7 +120,7 @@ std::string weighed_caption(const DiagnosisReport& report) {
            drawn_text(result);
   }
   text +=
-      "Each model was fitted to the training runs alone. Bars: 95 % intervals over weighed "
+      "Held-out runs are forecast by models that have not seen them. Bars: 95 % intervals over weighed "
       "held-out ";
   text += result.held_out_runs < 5 ? "readings." : "runs.";
   text +=

@@ -11,6 +11,9 @@
 #include "reports/data_text.hpp"
 #include "reports/document/text_table.hpp"
 #include "reports/exploration/decision_words.hpp"
+#include "reports/exploration/robust_report.hpp"
+#include "reports/exploration/target_report.hpp"
+#include "reports/motor_words.hpp"
 #include "reports/shown_value.hpp"
 
 namespace reeve::pages {
@@ -68,7 +71,24 @@ Json word_or_null(const ListedDesign* design) {
 Json answer_body(const ExploreReport& report, const SolveDesign& solve) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
   Json body{{"answer", Json::array()}, {"slots", Json::array()}};
-  for (const DocumentLine& line : answer_lines(listed, report.ladder)) {
+  for (const DocumentLine& line : target_lines(report.target)) {
+    body["answer"].push_back(line.text + ".");
+  }
+  // The first and when it jams are one paragraph: the first screen holds the plot, too.
+  const std::vector<DocumentLine> answer = answer_lines(listed, report.ladder);
+  for (std::size_t i = 0; i < answer.size(); ++i) {
+    if (i == 1) {
+      Json& first = body["answer"].back();
+      first = first.get<std::string>() + " " + answer[i].text + ".";
+    } else {
+      body["answer"].push_back(answer[i].text + ".");
+    }
+  }
+  const MotorParts& motor = report.options.model.hardware.motor;
+  for (const DocumentLine& line : motor_lines(report.motor, motor)) {
+    body["answer"].push_back(line.text + ".");
+  }
+  for (const DocumentLine& line : robust_lines(report.robust_first)) {
     body["answer"].push_back(line.text + ".");
   }
   if (listed.empty()) return body;

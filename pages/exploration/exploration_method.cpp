@@ -19,7 +19,7 @@ std::string spaced(const std::string& list) {
 
 std::string friction_text(const Hardware& hardware) {
   const auto law = [](const char* what, const ContactLaw& contact) {
-    return fmt::format("{} μ {:.4g} over {:.4g} rad", what, contact.mu, contact.angle_rad);
+    return fmt::format("{} μ {:.4g} over {:.4g} rad", what, contact.mu, contact.whole_angle_rad());
   };
   std::string text =
       fmt::format("Friction: {}, {}, {}{}.", law("tubes", hardware.tube),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -20,8 +21,11 @@
 #include "pages/shell/glossary.hpp"
 #include "pages/shell/template.hpp"
 #include "pages/sweep_figures.hpp"
+#include "reports/assumed_words.hpp"
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
+#include "reports/exploration/part_words.hpp"
+#include "reports/jam_words.hpp"
 
 namespace reeve::pages {
 namespace {
@@ -107,6 +111,19 @@ std::vector<ExploredSchematic> schematics(const ExplorationView& view) {
   return result;
 }
 
+// The first design where it jams, if it does.
+std::optional<ExploredSchematic> jammed_schematic(const ExploreReport& report) {
+  if (!report.jammed_first) return std::nullopt;
+  const ShownRouting& first = *report.jammed_first;
+  const ShownGrasp& shown = first.grasps.front();
+  const std::string id = "schematic-jammed";
+  const std::string svg = grasp_svg(first, 0, id);
+  const std::string stem = file_stems({{first.name, first.word}}).front();
+  const std::string file = schematic_name(stem, shown.grasp);
+  return ExploredSchematic{schematic_html(id, svg, file),
+                           {file, svg, schematic_caption(first, shown)}};
+}
+
 std::string held_flags(const GraspSet& grasps, int fingers) {
   const GraspSet usual = single_grasps(fingers);
   const auto same = [](const WeightedGrasp& a, const WeightedGrasp& b) {
@@ -153,13 +170,17 @@ Page page(const ExplorationView& view, const HeldDesigns& held, const DesignDeta
           true};
 }
 
+// The first screen says it beside the answer, which hangs on it.
+std::string assumed(const ExploreReport& report) {
+  const ExploreOptions& options = report.options;
+  return assumed_text(options.model) + ". Parts: " + routings_text(options.generator) +
+         ". Fingers held: " + to_text(options.grasps) + ".";
+}
+
 Json words_json(const ExploreReport& report) {
   const ExplorationWords words = exploration_words(report);
-  return {{"won", words.won},
-          {"explored", words.explored},
-          {"rejected", words.rejected},
-          {"changes", words.changes},
-          {"caveats", words.caveats}};
+  return {{"won", words.won},         {"explored", words.explored}, {"rejected", words.rejected},
+          {"changes", words.changes}, {"caveats", words.caveats},   {"assumed", assumed(report)}};
 }
 
 }  // namespace
@@ -199,6 +220,15 @@ PageFiles exploration_page(const ExplorationView& view) {
   for (const ExploredSchematic& schematic : drawn) {
     body["schematics"].push_back(schematic.html);
     figures.push_back(schematic.file);
+  }
+  body["jammed"] = false;
+  if (const std::optional<ExploredSchematic> jammed = jammed_schematic(report)) {
+    const ShownGrasp& shown = report.jammed_first->grasps.front();
+    body["jammed"] = {{"held", held_words(shown.grasp)}, {"html", jammed->html}};
+    const bool is_drawn = std::any_of(figures.begin(), figures.end(), [&](const FigureFile& other) {
+      return other.id == jammed->file.id;
+    });
+    if (!is_drawn) figures.push_back(jammed->file);
   }
   const std::size_t without = page_html(page(view, held, {}, body)).size();
   const DesignDetails details =

@@ -76,9 +76,10 @@ std::string why(const ExploreReport& report, const std::vector<ListedDesign>& li
         objectives);
   }
   return fmt::format(
-      "It is one of {} designs on the Pareto front, which no other beats over {}. "
+      "It is one of {} designs on the Pareto front ({} distinct), which no other beats over {}. "
       "Among these the one with the greatest {} comes first{}.",
-      size, objectives, order.by_score ? "score" : "product of mean uniformity and mean efficiency",
+      size, distinct_on_front(report), objectives,
+      order.by_score ? "score" : "product of mean uniformity and mean efficiency",
       listed.size() > 1 ? tie_text(order, listed[0], listed[1]) : "");
 }
 

@@ -26,7 +26,7 @@ struct HardwareRows {
   }
   void add(const std::string& part, const ContactLaw& law) {
     add(part, "friction coefficient", law.mu, "1");
-    add(part, "wrap angle", law.angle_rad, "rad");
+    add(part, "wrap angle", law.whole_angle_rad(), "rad");
   }
 
   Table table{

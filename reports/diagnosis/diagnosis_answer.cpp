@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/text.hpp"
+#include "diagnosis/fit/evidence.hpp"
 #include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_evidence.hpp"
 #include "reports/diagnosis/diagnosis_groups.hpp"
@@ -49,8 +50,8 @@ std::string gain_line(const DiagnosisReport& report) {
           : fmt::format("Residuals {}.\n", gain_text(*result.held_out, result.held_out_runs));
   if (untested.empty()) return gain;
   return gain + fmt::format(
-                    "The held-out runs say nothing of {}: with and without it, what they should "
-                    "read is the same. It is named by the training runs alone.\n",
+                    "Held-out runs say nothing of {}: with and without it, what they should read "
+                    "is the same.\n",
                     fmt::join(untested, ", "));
 }
 
@@ -61,12 +62,14 @@ std::string chance_sentence(const DiagnosisReport& report) {
 
 std::string weak_structure_text(const DiagnosisReport& report) {
   const StructureFinding& strongest = report.result.structure.front();
+  const double threshold = structure_share_of_alpha * report.settings.alpha;
   return fmt::format(
-      "Weak structure remains by {}, {} deviations above chance ({}), which does not reach this "
-      "test's threshold of {:g}",
+      "Weak structure remains by {}, {} deviations above chance ({}), {}",
       pattern_text(report, strongest.about), fixed(strongest.statistic, 1),
       p_text(report.result.structure_p_value, report.settings.replicates),
-      structure_share_of_alpha * report.settings.alpha);
+      report.result.structure_p_value < threshold
+          ? std::string("but readings scatter hardly more than any smooth law leaves")
+          : fmt::format("which does not reach this test's threshold of {:g}", threshold));
 }
 
 std::string rest_text(const DiagnosisReport& report) {
@@ -138,7 +141,7 @@ std::string none_answer(const DiagnosisReport& report) {
   const bool is_believed = beyond_belief_sentence(result).empty();
   std::string text =
       fmt::format("The model as it stands explains {} {}.\n",
-                  some_are_far(result) ? "the training runs" : "the data",
+                  some_are_far(result) ? "the other runs" : "the data",
                   drowns_in_noise(result) ? "only if readings scatter by more than can be believed"
                   : !is_believed          ? "only if mountings differ by more than can be believed"
                   : weak_structure_remains(report) ? "but for weak structure"
@@ -148,14 +151,8 @@ std::string none_answer(const DiagnosisReport& report) {
   const std::vector<std::string> dropped = not_named_sentences(result);
   if (!dropped.empty()) {
     for (const std::string& sentence : dropped) text += sentence + "\n";
-  } else if (result.not_confirmed.empty()) {
-    text += fmt::format("No cause is named: chance alone would give what the best one gains {}.\n",
-                        chance_text(result.p_value, report.settings.replicates));
   } else {
-    text += fmt::format(
-        "No cause is named: {} looked likely, but the training runs do not confirm it when each is "
-        "forecast from the others.\n",
-        names_text(result.not_confirmed));
+    text += fmt::format("No cause is named: none raises the evidence by {:g}.\n", least_evidence);
   }
   return text + rest_text(report) + ".\n";
 }
@@ -176,7 +173,7 @@ std::string cause_answer(const DiagnosisReport& report) {
 std::string indistinguishable_answer(const DiagnosisReport& report) {
   const std::string weak =
       weak_structure_remains(report) ? weak_structure_text(report) + ".\n" : std::string();
-  return indistinguishable_lines(report) + cause_lines(report.result) + gain_line(report) + weak +
+  return cause_lines(report.result) + indistinguishable_lines(report) + gain_line(report) + weak +
          separation_line(report) + apart_lines(report);
 }
 
@@ -197,7 +194,7 @@ std::string unexplained_answer(const DiagnosisReport& report) {
   }
   text += rows_line(result);
   text += "Part of it is explained, so take the sizes with care:\n";
-  return text + indistinguishable_lines(report) + cause_lines(result) + gain_line(report) +
+  return text + cause_lines(result) + indistinguishable_lines(report) + gain_line(report) +
          apart_lines(report);
 }
 

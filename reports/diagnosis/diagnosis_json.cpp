@@ -50,6 +50,9 @@ Json cause_json(const NamedCause& cause) {
           {"parameters", list_json(cause.parameters, parameter_json)},
           {"held_out", value_or_null(cause.held_out, held_out_json)},
           {"p_value", cause.p_value},
+          {"evidence", value_or_null(cause.evidence, number)},
+          {"probability", value_or_null(cause.probability, number)},
+          {"folds", value_or_null(cause.folds, number)},
           {"runner_up", value_or_null(cause.runner_up, [](const RunnerUp& other) {
              return Json{{"name", other.name},
                          {"delta_log_likelihood", number(other.delta_log_likelihood)}};
@@ -240,9 +243,13 @@ void add_evidence(Json& json, const DiagnosisReport& report) {
   });
   json["noise_limit"] = value_or_null(result.noise_limit, noise_limit_json);
   json["not_confirmed"] = result.not_confirmed;
-  json["not_sure"] = result.not_sure;
-  json["withdrawn"] = result.withdrawn;
-  json["withdrawn_held_out"] = value_or_null(result.withdrawn_held_out, held_out_json);
+  json["folds"] = result.folds;
+  json["apart"] = list_json(result.apart, [](const RunApart& apart) {
+    return Json{{"run", apart.run},
+                {"text", apart.effect.cause->meaning()},
+                {"size", number(apart.effect.values.front())},
+                {"evidence", number(apart.evidence)}};
+  });
   json["weighed"] = list_json(result.weighed, [](const WeighedCauses& cause) {
     return Json{{"name", joined_causes(cause.causes)},
                 {"log_likelihood_gain", number(cause.gain)},

@@ -181,17 +181,12 @@ Json mountings_json(const DiagnosisResult& result) {
 
 std::vector<std::string> not_named_sentences(const DiagnosisResult& result) {
   std::vector<std::string> sentences;
-  for (const std::string& name : result.not_sure) {
-    sentences.push_back(fmt::format(
-        "{} is not named: its size may be none, or stands at the end of what is searched.", name));
+  for (const std::string& name : result.not_confirmed) {
+    sentences.push_back(
+        fmt::format("{} is not named: it is found in all readings, but not confirmed by models "
+                    "that have not seen some of the runs.",
+                    name));
   }
-  if (result.withdrawn.empty()) return sentences;
-  const HeldOut& lost = *result.withdrawn_held_out;
-  sentences.push_back(fmt::format(
-      "{} explained the training runs, and may lose on the held-out ones (log-likelihood {:+.1f}, "
-      "{:+.1f} to {:+.1f}; {} before, {} after): not named.",
-      fmt::join(result.withdrawn, ", "), lost.log_likelihood_gain, lost.gain_low, lost.gain_high,
-      newton(lost.rms_before_N), newton(lost.rms_after_N)));
   return sentences;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/text.hpp"
-#include "diagnosis/search/rivals.hpp"
+#include "diagnosis/fit/evidence.hpp"
 #include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_evidence.hpp"
 #include "reports/diagnosis/diagnosis_groups.hpp"
@@ -65,7 +65,7 @@ std::vector<TableColumn> cause_columns() {
           number_column("literature", "", 1),
           text_column("unit"),
           number_column("p"),
-          text_column("runner-up (log-likelihood less)")};
+          text_column("runner-up (evidence less)")};
 }
 
 Section causes_section(const DiagnosisReport& report) {
@@ -93,7 +93,7 @@ Section causes_section(const DiagnosisReport& report) {
                  first ? other : ""});
     }
   }
-  Section section{"Causes, each accepted against chance over the whole search", table, {}};
+  Section section{"Causes, each by its evidence", table, {}};
   add_sentences(section, influence_sentences(report));
   return section;
 }
@@ -128,7 +128,7 @@ Section gains_section(const DiagnosisReport& report) {
 Section weighed_section(const DiagnosisReport& report) {
   const std::vector<WeighedCauses>& weighed = report.result.weighed;
   if (weighed.empty()) return {};
-  Table table{{text_column("model"), number_column("training runs"), number_column("held-out runs"),
+  Table table{{text_column("model"), number_column("all readings"), number_column("held-out runs"),
                number_column("rms held out")},
               {}};
   for (std::size_t i = 0; i < weighed.size() && i < most_rows; ++i) {
@@ -141,17 +141,13 @@ Section weighed_section(const DiagnosisReport& report) {
   if (weighed.size() > most_rows) {
     section.lines.push_back({fmt::format("… {} more", weighed.size() - most_rows)});
   }
-  for (const std::string& name : report.result.not_confirmed) {
-    section.lines.push_back(
-        {fmt::format("{} is not named: the training runs do not confirm it.", name)});
-  }
   return section;
 }
 
 Section indistinguishable_section(const DiagnosisReport& report) {
   Section section{
-      fmt::format("Cannot be told apart (less than {:.2g} in log-likelihood between them)",
-                  alias_margin),
+      fmt::format("Cannot be told apart (less than {:.2g} nats of evidence between them)",
+                  least_evidence),
       std::nullopt,
       {}};
   for (const std::vector<std::string>& names : report.result.indistinguishable) {

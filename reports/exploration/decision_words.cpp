@@ -7,7 +7,10 @@
 #include <optional>
 #include <string_view>
 
+#include "core/routing.hpp"
+#include "core/wearer_parts.hpp"
 #include "reports/data_text.hpp"
+#include "reports/jam_words.hpp"
 #include "reports/output/telling_digits.hpp"
 #include "reports/shown_value.hpp"
 
@@ -97,6 +100,17 @@ std::string first_text(const ListedDesign& first, const ListedLadder& ladder) {
                      values_text(ladder, first.ranked.design.values));
 }
 
+// In which grasps the first jams, and what one that never does costs.
+std::string jams_text(const ListedDesign& first, const ListedLadder& ladder) {
+  std::string text =
+      jam_sentence(first.smallest_jams, first.ranked.design.values, finger_count(first.routing));
+  if (first.smallest_jams.empty()) return text;
+  if (!ladder.never_jams) return text + "; every listed design jams in some grasp";
+  return fmt::format("{}; best design that never jams: {}: {}", text,
+                     design_name(*ladder.never_jams),
+                     values_text(ladder, ladder.never_jams->ranked.design.values));
+}
+
 std::string affordable_text(const ListedLadder& listed) {
   const Ladder& ladder = listed.ladder;
   const MeasureWords& words = words_of(ladder.options.by);
@@ -107,6 +121,40 @@ std::string affordable_text(const ListedLadder& listed) {
   return fmt::format("With {} {} of it: {}: {}", words.fewest, within,
                      design_name(*listed.affordable),
                      values_text(listed, ladder.affordable->values));
+}
+
+// What the wearer carries: "at the hand no moving part, 4 strands".
+std::string wearer_text(const Routing& routing) {
+  const WearerParts parts = wearer_parts(routing);
+  const std::string moving =
+      parts.moving_parts == 0 ? "no moving part"
+                              : plural(static_cast<std::size_t>(parts.moving_parts), "moving part");
+  return fmt::format("at the hand {}, {}", moving,
+                     plural(static_cast<std::size_t>(parts.strands), "strand"));
+}
+
+std::string choice_text(const char* kind, const ListedDesign& design, const ListedLadder& listed) {
+  const Ladder& ladder = listed.ladder;
+  const ObjectiveValues& values = design.ranked.design.values;
+  const std::string chosen =
+      is_within(values, ladder)
+          ? fmt::format("{} {} of the first", words_of(ladder.options.by).fewest,
+                        within_text(ladder.options))
+          : "best";
+  const std::string jams = design.smallest_jams.empty() ? "" : ", jams in some grasps";
+  return fmt::format("{} floating pulleys, {}: {}: {}{}; {}", kind, chosen, design_name(design),
+                     values_text(listed, values), jams, wearer_text(design.routing));
+}
+
+// Two lines, and what bars in place of the floating pulleys change.
+std::vector<DocumentLine> choice_lines(const ListedLadder& ladder) {
+  std::string with = choice_text("With", ladder.choice->with, ladder);
+  if (ladder.with_bars) {
+    with += fmt::format("; with rigid bars in place of its pulleys it is {}: {}",
+                        design_name(*ladder.with_bars),
+                        values_text(ladder, ladder.with_bars->ranked.design.values));
+  }
+  return {{choice_text("Without", ladder.choice->without, ladder)}, {std::move(with)}};
 }
 
 std::optional<double> finite(const std::optional<double>& value) {
@@ -185,7 +233,13 @@ std::string equivalent_text(const ListedDesign& design) {
 std::vector<DocumentLine> answer_lines(const std::vector<ListedDesign>& designs,
                                        const ListedLadder& ladder) {
   if (designs.empty() || ladder.rungs.empty()) return {};
-  std::vector<DocumentLine> lines{{first_text(designs.front(), ladder)}, {affordable_text(ladder)}};
+  std::vector<DocumentLine> lines{{first_text(designs.front(), ladder)},
+                                  {jams_text(designs.front(), ladder)}};
+  if (ladder.choice) {
+    for (DocumentLine& line : choice_lines(ladder)) lines.push_back(std::move(line));
+  } else {
+    lines.push_back({affordable_text(ladder)});
+  }
   if (ladder.ladder.knee) {
     const Rung& rung = ladder.ladder.rungs[*ladder.ladder.knee];
     lines.push_back(

@@ -17,6 +17,7 @@
 #include "reports/document/document.hpp"
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
+#include "reports/jam_words.hpp"
 #include "reports/output/csv_field.hpp"
 #include "reports/shared_carriage.hpp"
 #include "reports/shown_value.hpp"
@@ -313,7 +314,8 @@ std::string design_csv(const std::vector<ListedDesign>& designs, const std::stri
   csv += objective_headings(designs.empty() ? ObjectiveValues{}
                                             : designs.front().ranked.design.values);
   const Bands& bands = designs.empty() ? Bands{} : designs.front().bands;
-  csv += uncertain ? ",first_share,rank_median,rank_p5,rank_p95,same_as,place" : ",same_as,place";
+  csv += uncertain ? ",first_share,rank_median,rank_p5,rank_p95" : "";
+  csv += ",smallest_jams,same_as,place";
   csv += (uncertain ? ",first_shared" : "") + band_headings(bands);
   csv += constrained ? ",constraints_met\n" : "\n";
   for (const ListedDesign& design : designs) {
@@ -328,7 +330,7 @@ std::string design_csv(const std::vector<ListedDesign>& designs, const std::stri
     } else if (uncertain) {
       csv += ",,,,";
     }
-    csv += ',' + design.same_as + ',';
+    csv += ',' + jams_field(design.smallest_jams) + ',' + design.same_as + ',';
     csv += fmt::format_int(design.place).c_str();
     if (uncertain) {
       csv += design.distribution ? fmt::format(",{}", design.distribution->first_shared) : ",";
@@ -347,6 +349,7 @@ Json to_json(const ListedDesign& design) {
             {"routing", design.ranked.design.word},
             {"name", text_or_null(design.name)}};
   add_objectives(json, design.ranked.design.values);
+  json["smallest_jams"] = grasps_json(design.smallest_jams);
   json["alike"] = design.equivalent;
   json["same_as"] = text_or_null(design.same_as);
   json["place"] = design.place;
@@ -364,6 +367,11 @@ Json to_json(const ListedDesign& design) {
 
 Json to_json(const std::vector<ListedDesign>& designs) {
   return list_json(designs, [](const ListedDesign& design) { return to_json(design); });
+}
+
+Json never_jams_json(const ListedLadder& ladder) {
+  return value_or_null(ladder.never_jams,
+                       [](const ListedDesign& design) { return to_json(design); });
 }
 
 Json to_json(const std::vector<BestDesigns>& best) {

@@ -58,5 +58,7 @@ std::string sample_csv(const std::vector<Design>& designs, const std::string& no
 Json to_json(const ListedDesign& design);
 Json to_json(const std::vector<ListedDesign>& designs);
 Json to_json(const std::vector<BestDesigns>& best);
+// The best listed design that never jams, or null.
+Json never_jams_json(const ListedLadder& ladder);
 
 }  // namespace reeve::reports

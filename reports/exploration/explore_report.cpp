@@ -6,13 +6,19 @@
 #include <utility>
 
 #include "core/text.hpp"
+#include "reports/assumed_words.hpp"
+#include "reports/data_text.hpp"
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/design_list.hpp"
 #include "reports/exploration/exploration_id.hpp"
 #include "reports/exploration/ladder_report.hpp"
+#include "reports/exploration/part_words.hpp"
+#include "reports/exploration/robust_report.hpp"
 #include "reports/exploration/sweep_report.hpp"
+#include "reports/exploration/target_report.hpp"
 #include "reports/model_text.hpp"
+#include "reports/motor_words.hpp"
 #include "reports/output/json.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 
@@ -61,9 +67,9 @@ std::vector<Objective> objectives_to_show(const ExploreReport& report) {
 }
 
 Section front_section(const ExploreReport& report, const ListColumns& columns) {
-  std::string text = fmt::format("Pareto front over {}: {} design{}",
+  std::string text = fmt::format("Pareto front over {}: {}, {} distinct in these",
                                  objective_names(report.options.order.objectives),
-                                 report.front.size(), report.front.size() == 1 ? "" : "s");
+                                 plural(report.front.size(), "design"), distinct_on_front(report));
   if (report.result.front_equals_left_out > 0) {
     text +=
         fmt::format(", and {} more that equal one of them", report.result.front_equals_left_out);
@@ -124,6 +130,8 @@ Section known_section(const ExploreReport& report) {
 std::vector<DocumentLine> opening_lines(const ExploreReport& report) {
   const ExploreResult& result = report.result;
   std::vector<DocumentLine> lines{{counts_text(report)}, {evaluated_text(result)}};
+  lines.push_back({assumed_text(report.options.model)});
+  lines.push_back({"Parts: " + routings_text(report.options.generator)});
   const std::string note = partial_note(report);
   if (!note.empty()) lines.push_back({"PARTIAL: " + note, true});
   for (const std::string& line : notes(report)) lines.push_back({"Note: " + line, true});
@@ -139,8 +147,16 @@ std::vector<DocumentLine> opening_lines(const ExploreReport& report) {
 }
 
 Section answer_section(const ExploreReport& report) {
-  std::vector<DocumentLine> lines = infeasible_lines(report.options, report.result);
+  std::vector<DocumentLine> lines = target_lines(report.target);
+  for (const DocumentLine& line : infeasible_lines(report.options, report.result)) {
+    lines.push_back(line);
+  }
   for (const DocumentLine& line : answer_lines(report.top, report.ladder)) lines.push_back(line);
+  const MotorParts& motor = report.options.model.hardware.motor;
+  for (const DocumentLine& line : motor_lines(report.motor, motor)) lines.push_back(line);
+  for (const DocumentLine& line : robust_lines(report.robust_first)) {
+    lines.push_back(line);
+  }
   for (const DocumentLine& line : shared_first_lines(report.top)) lines.push_back(line);
   return {"", std::nullopt, lines};
 }
@@ -196,6 +212,7 @@ Document explore_document(const ExploreReport& report, const ListColumns& wanted
     return document;
   }
   // What constraints leave nothing of, the answer says.
+  document.add(target_section(report.target));
   if (!top.empty()) {
     document.add(front_section(report, columns));
     document.add(best);
@@ -216,7 +233,8 @@ std::vector<std::string> notes(const ExploreReport& report) {
   const Hardware hardware = effective_hardware(options.model);
   const bool equivalent = treats_fingers_alike(options.grasps, options.generator.fingers) &&
                           treats_fingers_alike(options.model, options.generator.fingers);
-  std::vector<std::string> notes = absent_finger_notes(options.model, options.generator.fingers);
+  std::vector<std::string> notes = model_notes(options.model, options.generator.fingers);
+  if (options.left_out) notes.insert(notes.begin(), left_out_text(*options.left_out));
   if (report.uncertainty) {
     for (std::string& note : range_notes(hardware, report.uncertainty->ranges)) {
       notes.push_back(std::move(note));
@@ -237,6 +255,9 @@ std::string partial_note(const ExploreReport& report) {
   }
   if (report.sweep_over && !report.sweep && !report.result.partial) {
     return "stopped while sweeping; there is no sweep";
+  }
+  if (report.target && report.target->partial) {
+    return "stopped while looking for designs that meet the target";
   }
   if (!report.result.partial) return "";
   if (report.result.generated == report.result.total) {
@@ -264,12 +285,7 @@ Json explore_settings(const ExploreReport& report) {
   const GeneratorOptions& generator = options.generator;
   Json json{{"fingers", generator.fingers},
             {"identical_fingers", generator.identity == FingerIdentity::identical},
-            {"parts",
-             {{"tips", tips_text(generator.parts)},
-              {"joins", joins_text(generator.parts)},
-              {"ends", ends_text(generator.parts)},
-              {"anchored", generator.parts.anchored},
-              {"blocks", generator.parts.blocks}}},
+            {"parts", parts_json(generator.parts)},
             {"tendons", generator.one_tendon ? "one" : "any"},
             {"shard", fmt::format("{}/{}", options.shard.index, options.shard.count)},
             {"top", options.top}};
@@ -280,6 +296,7 @@ Json explore_settings(const ExploreReport& report) {
   json["uncertainty"] = report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
   add_ladder_settings(json, options.ladder, options.prices);
   json["sweep"] = sweep_settings(report.sweep_over);
+  json["target_shares"] = report.target_shares.empty() ? Json(nullptr) : Json(report.target_shares);
   return json;
 }
 
@@ -295,10 +312,12 @@ std::string explore_summary_json(const ExploreReport& report) {
   json["ranked"] = ranked_designs(report);
   json["partial"] = !partial_note(report).empty();
   json["notes"] = notes(report);
+  json["left_out"] = left_out_json(report.options.left_out);
   json["total"] = result.total;
   json["seconds"] = result.seconds;
   json["designs_per_second"] = rate(result);
   json["front_equals_left_out"] = result.front_equals_left_out;
+  json["front_distinct"] = distinct_on_front(report);
   ObjectText text;
   text.add_members(json);
   const auto listed = [](const ListedDesign& design) { return to_json(design); };
@@ -307,6 +326,10 @@ std::string explore_summary_json(const ExploreReport& report) {
   json = {{"best", to_json(report.result.best)}};
   json["known"] = known_json(report);
   json["ladder"] = ladder_json(report.ladder);
+  json["never_jams"] = never_jams_json(report.ladder);
+  json["robust_first"] = robust_json(report.robust_first);
+  json["target"] = target_json(report.target);
+  json["motor"] = motor_force_json(report.motor, report.options.model.hardware.motor);
   json["unmet"] = infeasible_json(report);
   if (report.sweep_over) json["sweep"] = value_or_null(report.sweep, sweep_json);
   json["exploration"] = exploration_id(report);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/text.hpp"
+#include "core/wearer_parts.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/design_list.hpp"
 #include "reports/output/csv_field.hpp"
@@ -75,6 +76,26 @@ Json by_objective(const Ladder& ladder, const auto& number_of) {
 Json losses_json(const Ladder& ladder, const ObjectiveValues& values) {
   return by_objective(
       ladder, [&](Objective objective) { return loss(objective, values, ladder.first.values); });
+}
+
+// A design that the answer names beside the first.
+Json chosen_json(const Ladder& ladder, const ListedDesign& design) {
+  const RankedDesign& ranked = design.ranked;
+  Json entry{{"routing", ranked.design.word},
+             {"name", text_or_null(design.name)},
+             {"rank", ranked.rank > 0 ? Json(ranked.rank) : Json(nullptr)}};
+  entry["losses"] = losses_json(ladder, ranked.design.values);
+  add_objectives(entry, ranked.design.values);
+  return entry;
+}
+
+// With what the wearer carries at the hand.
+Json wearer_json(const Ladder& ladder, const ListedDesign& design) {
+  Json entry = chosen_json(ladder, design);
+  const WearerParts parts = wearer_parts(design.routing);
+  entry["moving_parts"] = parts.moving_parts;
+  entry["strands"] = parts.strands;
+  return entry;
 }
 
 Json rung_json(const ListedLadder& listed, std::size_t i) {
@@ -167,14 +188,14 @@ std::string ladder_csv(const ListedLadder& ladder, const std::string& note) {
 Json ladder_json(const ListedLadder& ladder) {
   const Ladder& all = ladder.ladder;
   Json json{{"by", row(all.options.by).name}, {"within", all.options.within}};
-  json["affordable"] = value_or_null(all.affordable, [&](const Design& design) {
-    Json entry{{"routing", design.word},
-               {"name", text_or_null(ladder.affordable->name)},
-               {"rank", ladder.affordable->ranked.rank > 0 ? Json(ladder.affordable->ranked.rank)
-                                                           : Json(nullptr)}};
-    entry["losses"] = losses_json(all, design.values);
-    add_objectives(entry, design.values);
-    return entry;
+  const auto entry = [&](const ListedDesign& design) { return chosen_json(all, design); };
+  json["affordable"] = value_or_null(ladder.affordable, entry);
+  json["floating_blocks"] = value_or_null(ladder.choice, [&](const auto& choice) {
+    return Json{{"without", wearer_json(all, choice.without)},
+                {"with", wearer_json(all, choice.with)},
+                {"with_bars", value_or_null(ladder.with_bars, [&](const ListedDesign& barred) {
+                   return wearer_json(all, barred);
+                 })}};
   });
   json["knee"] =
       value_or_null(all.knee, [&](std::size_t rung) { return number(all.rungs[rung].at_most); });

@@ -104,6 +104,7 @@ std::string stored_ranking_json(const StoredRanking& ranking) {
   json["front"] = to_json(ranking.report.front);
   json["top"] = to_json(ranking.report.top);
   json["ladder"] = ladder_json(ranking.report.ladder);
+  json["never_jams"] = never_jams_json(ranking.report.ladder);
   json["settings"] = explore_settings(ranking.report);
   json["version"] = version_json();
   return print(json);

@@ -48,7 +48,7 @@ std::string trees_lines(const Network& network) {
 
 std::string absent_lines(const Hardware& hardware, const Network& network) {
   std::string lines;
-  for (const std::string& note : absent_finger_notes({hardware, {}, {}}, network.fingers)) {
+  for (const std::string& note : model_notes({hardware, {}, {}}, network.fingers)) {
     lines += "Note: " + note + ".\n";
   }
   return lines;
@@ -90,10 +90,10 @@ void write_friction(const MjcfRig& rig, const MechanicsBuilder& mechanics, MjcfT
       const Contact& contact = rig.network.contacts[span.first_contact + k];
       out.leaf("text",
                {{"name", contact_name(rig.network, ends_of(span, k))},
-                {"data",
-                 fmt::format("{}: mu {}, angle {} rad, exponent {}",
-                             contact_kind_name(contact.kind), MjcfText::number(law.mu),
-                             MjcfText::number(law.angle_rad), MjcfText::number(law.exponent()))}});
+                {"data", fmt::format("{}: mu {}, angle {} rad, exponent {}",
+                                     contact_kind_name(contact.kind), MjcfText::number(law.mu),
+                                     MjcfText::number(law.whole_angle_rad()),
+                                     MjcfText::number(law.exponent()))}});
       exponents += (exponents.empty() ? "" : " ") + MjcfText::number(law.exponent());
     }
   }

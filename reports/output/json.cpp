@@ -17,7 +17,12 @@ void add_if_given(Json& target, const char* key, const std::optional<double>& va
 }
 
 Json law(const ContactLaw& contact) {
-  return {{"mu", contact.mu}, {"angle_rad", contact.angle_rad}};
+  Json json{{"mu", contact.mu}, {"angle_rad", contact.angle_rad}};
+  if (contact.wobble_rad_per_m > 0) {
+    add_if_given(json, "length_mm", contact.length_mm);
+    json["wobble_rad_per_m"] = contact.wobble_rad_per_m;
+  }
+  return json;
 }
 
 Json joint_json(const FingerJoint& joint) {
@@ -78,7 +83,8 @@ void add_objectives(Json& target, const ObjectiveValues& values) {
     const double given = value(values, row.objective);
     Json& family = row.of_hand ? target["hand"][row.family] : target[row.family];
     Json& place = *row.part == '\0' ? family : family[row.part];
-    place = row.is_count() ? Json(static_cast<int>(given)) : number(given);
+    place = row.is_count() && std::isfinite(given) ? Json(static_cast<std::int64_t>(given))
+                                                   : number(given);
   }
 }
 
@@ -86,6 +92,9 @@ Json to_json(const Hardware& hardware) {
   Json json{{"tube", law(hardware.tube)},
             {"bearing", law(hardware.bearing)},
             {"sheath", law(hardware.sheath)},
+            {"scatter",
+             {{"contact_relative", hardware.scatter.relative},
+              {"bearing_contact_relative", hardware.scatter.bearing_relative}}},
             {"lengths",
              {{"strand_mm", hardware.strand_mm},
               {"motor_side_mm", hardware.motor_side_mm},
@@ -128,15 +137,19 @@ Json to_json(const PartPrices& prices) {
   return json;
 }
 
+Json to_json(const GraspSet& grasps) {
+  return list_json(grasps, [](const WeightedGrasp& grasp) {
+    return Json{{"held", held_fingers(grasp.grasp)}, {"weight", grasp.weight}};
+  });
+}
+
 Json settings_json(const Order& order, const Score& score, const GraspSet& grasps,
                    const Model& model, std::uint64_t unconverged) {
   Json json;
   json["objectives"] =
       list_json(order.objectives, [](Objective objective) { return row(objective).name; });
   json["score"] = score_json(order, score);
-  json["grasps"] = list_json(grasps, [](const WeightedGrasp& grasp) {
-    return Json{{"held", held_fingers(grasp.grasp)}, {"weight", grasp.weight}};
-  });
+  json["grasps"] = to_json(grasps);
   json["hardware"] = to_json(model.hardware);
   json["model"] = model_json(model, unconverged);
   return json;

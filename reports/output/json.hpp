@@ -1,4 +1,4 @@
-// Pieces of the JSON interface that several reports share. docs/json.md describes it.
+// Pieces of the JSON interface that several reports share. docs/schema describes it.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -45,6 +45,7 @@ void add_objectives(Json& target, const ObjectiveValues& values);
 Json to_json(const Hardware& hardware);
 Json to_json(const UncertaintyOptions& options);
 Json to_json(const PartPrices& prices);
+Json to_json(const GraspSet& grasps);
 
 // {"objectives","score","grasps","hardware","model"}
 Json settings_json(const Order& order, const Score& score, const GraspSet& grasps,

@@ -23,18 +23,18 @@ const reeve = (name, words, more = {}) => ({
 // data-ready on the root when it is done.
 export const pages = [
   { name: "sample", command: (folder) => [sampleExecutable, folder] },
-  reeve("explore-2", () => ["explore", "--fingers", "2", "--uncertainty"], { scripted: true }),
-  reeve("explore-3", () => ["explore", "--fingers", "3", "--uncertainty"], { scripted: true }),
+  reeve("explore-2", () => ["explore", "--fingers", "2", "--parts", "full", "--uncertainty"], { scripted: true }),
+  reeve("explore-3", () => ["explore", "--fingers", "3", "--parts", "full", "--uncertainty"], { scripted: true }),
   // Of some designs no motor force is enough.
   reeve(
     "explore-hand",
     () => [
-      "explore", "--fingers", "3", "--objectives", "uniformity,efficiency,motor_force",
+      "explore", "--fingers", "3", "--parts", "full", "--objectives", "uniformity,efficiency,motor_force",
       "--hardware", join(sources, "catalog/hardware/three_finger_hand.toml"),
     ],
     { scripted: true },
   ),
-  reeve("explore-hostile", () => ["explore"], {
+  reeve("explore-hostile", () => ["explore", "--parts", "full"], {
     scripted: true,
     environment: hostileNames,
   }),

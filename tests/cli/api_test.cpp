@@ -18,10 +18,12 @@ SizingOptions size_options(Options arguments) {
 
 TEST(SizeOptions, OfATargetIsWithNoFingerHeldUnlessGraspsAreGiven) {
   const Options target{"TR1", "--vary", "tip_angle=1..4", "--target", "1=2,others=1"};
-  EXPECT_EQ(to_text(size_options(target).grasps), "none");
+  EXPECT_EQ(to_text(goal_grasps(size_options(target))), "none");
+  // Its objectives and motor force are those of all grasps that are asked.
+  EXPECT_EQ(to_text(size_options(target).grasps), "none/1/2");
   Options held = target;
   held.insert(held.end(), {"--grasps", "1/2"});
-  EXPECT_EQ(to_text(size_options(held).grasps), "1/2");
+  EXPECT_EQ(to_text(goal_grasps(size_options(held))), "1/2");
 }
 
 // Bounds that are given stand for those of the file, and with them for what it keeps equal.

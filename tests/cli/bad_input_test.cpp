@@ -123,7 +123,7 @@ TEST(BadExploreOption, IsNamedWithItsValueAndWhatWasExpected) {
       {"explore --out out --fingers 65", "--fingers: Value 65" + fingers},
       {"explore --out out --fingers abc", "--fingers: Value abc" + fingers},
       {"explore --out out --fingers 1e3", "--fingers: Value 1e3" + fingers},
-      {"explore --out out --parts none", "--parts: none not in {paper,full,all}"},
+      {"explore --out out --parts none", "--parts: none not in {paper,full,all,field}"},
       {"explore --out out --tips glass",
        "--tips 'glass': 'glass': expected a comma-separated list of tube, bearing"},
       {"explore --out out --tips ''", "--tips '': expected at least one of tube, bearing"},
@@ -193,13 +193,13 @@ TEST(BadPageOfARanking, IsRefusedBeforeAnythingIsWritten) {
       {rank("--data cell.csv"), "cell.csv:2"},
       {rank("--data name.csv"), "TR9"},
       {rank("--data ok.csv"), "ok.csv: there is nothing to draw: expected readings"},
-      {rank("--mu 0.18,smooth"), "--mu '0.18,smooth': 'smooth': " + mu},
-      {rank("--mu ''"), "--mu '': '': " + mu},
-      {rank("--mu -0.1"), "--mu '-0.1': '-0.1': " + mu},
-      {rank("--mu 0.1,0.1"), "--mu '0.1,0.1': 0.1 is given twice"},
-      {rank("--mu model,model"), "--mu 'model,model': model is given twice"},
+      {rank("--distributions 0.18,smooth"), "--distributions '0.18,smooth': 'smooth': " + mu},
+      {rank("--distributions ''"), "--distributions '': '': " + mu},
+      {rank("--distributions -0.1"), "--distributions '-0.1': '-0.1': " + mu},
+      {rank("--distributions 0.1,0.1"), "--distributions '0.1,0.1': 0.1 is given twice"},
+      {rank("--distributions model,model"), "--distributions 'model,model': model is given twice"},
       {"rank TR1 TR7 --data ok.csv", "--data requires --out"},
-      {"rank TR1 TR7 --mu 0.1", "--mu requires --out"},
+      {"rank TR1 TR7 --distributions 0.1", "--distributions requires --out"},
   });
 }
 
@@ -247,18 +247,53 @@ TEST(BadOption, ThatWouldBePassedOverIsRefused) {
 TEST(BadUsage, PointsToTheHelp) {
   expect_all_bad({
       {{}, "a subcommand is required; see reeve --help"},
-      {"frobnicate", "see reeve --help"},
-      {"--frobnicate", "see reeve --help"},
-      {"count --frobnicate", "--frobnicate; see reeve --help"},
-      {"count --tendons one", "--tendons; see reeve --help"},
+      {"frobnicate", "unknown subcommand frobnicate; see reeve --help"},
+      {"--frobnicate", "unexpected --frobnicate; see reeve --help"},
+      {"count --frobnicate", "count: unexpected --frobnicate; see reeve count --help"},
+      {"count --tendons one", "--tendons one; see reeve count --help"},
+      {"show", "routing is required; see reeve show --help"},
       {"count --fingers 65", "--fingers: Value 65 not in range 1 to 64"},
       {"count --fingers 64", "more than 2^63 routings"},
       {"count --parts all --fingers 30", "--fingers 30: these parts"},
       {"count --blocks 9", "--blocks: Value 9 not in range 0 to 8"},
       {"count --blocks -1", "--blocks: Value -1 not in range 0 to 8"},
       {"count --blocks one", "--blocks: Value one"},
-      {"check TR1", "TR1; see reeve --help"},
+      {"check TR1", "check: unexpected TR1; see reeve check --help"},
       {"check --format csv", "--format: csv not in {table,json,markdown,latex}"},
+  });
+}
+
+TEST(UnknownWords, StandInTheOrderInWhichTheyWereTyped) {
+  expect_all_bad({
+      {"explore --aaa 1 --zzz --out out x",
+       "explore: unexpected --aaa 1 --zzz x; see reeve explore --help"},
+      {"show TR1 TR2 TR3", "show: unexpected TR2 TR3; see reeve show --help"},
+  });
+}
+
+TEST(UnknownWords, AreHeldAgainstTheKnownOnes) {
+  expect_all_bad({
+      {"explore --fingerz 3",
+       "explore: unexpected --fingerz 3; did you mean --fingers? See reeve explore --help"},
+      {"explore --fingerz=3 --jobs 2",
+       "explore: unexpected --fingerz=3 --jobs 2; did you mean --fingers for --fingerz, --threads "
+       "for --jobs? See reeve explore --help"},
+      // The same word means nothing where there is no such option.
+      {"check --config a.toml", "check: unexpected --config a.toml; see reeve check --help"},
+      {"rank --catalog --config a.toml", "; did you mean --hardware? See reeve rank --help"},
+      {"exlpore --fingers 3", "unknown subcommand exlpore; did you mean explore? See reeve --help"},
+      {"optimize", "unknown subcommand optimize; did you mean explore? See reeve --help"},
+      {"--fingers 3 explore",
+       "--fingers before the subcommand; expected reeve explore --fingers; see reeve explore "
+       "--help"},
+  });
+}
+
+TEST(UnknownNames, AreHeldAgainstTheKnownOnes) {
+  expect_all_bad({
+      {"explore --objectives unifromity", "; did you mean uniformity?"},
+      {"simulate --routings TR1 --cause tube_fricton", "; did you mean tube_friction?"},
+      {"show LuffTacle", "or a word such as M-1-T-2-F; did you mean LuffTackle?"},
   });
 }
 

@@ -42,6 +42,16 @@ TEST(BadSizing, OfBoundsIsNamedWithWhatWasExpected) {
   });
 }
 
+TEST(BadTarget, OfAnExplorationIsNamedWithWhatWasExpected) {
+  expect_all_bad({
+      {"explore --target 1=2",
+       "--target '1=2': expected a pull from 0.001 to 1000 for each of the 2 fingers once, such "
+       "as 1=2,others=1"},
+      {"explore --target 3=2,others=1", "--target '3=2,others=1': expected a pull from"},
+      {"explore --target 1=2,others=1 --shard 1/2", "--target excludes --shard"},
+  });
+}
+
 TEST(BadTables, AreNamedWithWhatWasExpected) {
   expect_all_bad({
       {"rank --catalog --columns name,speed",

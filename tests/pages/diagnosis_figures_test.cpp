@@ -201,7 +201,7 @@ TEST(DiagnosisPage, WeighsTheNamedModelWhereverItStands) {
   ASSERT_EQ(weighed.marks("points", "named").size(), 1U);
   EXPECT_NEAR(weighed.marks("points", "named")[0].y, weighed.y[14].at, 0.02);
   const std::string some =
-      "Drawn are the named model and the best others on the training runs, 15 of 22; the table has "
+      "Drawn are the named model and the likeliest others, 15 of 22; the table has "
       "all.";
   EXPECT_TRUE(contains(page.html, some));
   report.result.noise_limit.reset();
@@ -241,7 +241,7 @@ TEST(DiagnosisPage, RoundsInTheChartAsInTheTable) {
   const PageFiles page = diagnosis_page({report, "", {}});
   const ReadPanel weighed = chart_of(page, "weighed").front();
   EXPECT_EQ(weighed.marks("points", "named").at(0).title,
-            "tube_friction: named\ntraining runs: 358\nheld-out runs: 206 (63.2 to 349)");
+            "tube_friction: named\nall readings: 358\nheld-out runs: 206 (63.2 to 349)");
   EXPECT_TRUE(contains(page.html, "<td>358</td><td>206</td><td>63.2 to 349</td>"));
 }
 

@@ -177,6 +177,19 @@ TEST(ExplorationPage, EscapesWhatUsersWrote) {
   EXPECT_EQ(page_data(page.html)["commands"]["options"], view.show_options);
 }
 
+// Beside the answer, before anything is folded.
+TEST(ExplorationPage, SaysOnTheFirstScreenWhatWasAssumed) {
+  const std::string html = exploration_page(testing::view(explored(small_options()))).html;
+  const std::string screen = html.substr(0, html.find("class=\"workspace\""));
+  for (
+      const char* said :
+      {"id=\"assumed\">Assumed: tubes mu 0.18 over 180 deg, ",
+       "; capstan friction alone. Parts: tips tube, bearing; joins T, B, P; ends M, F; any number ",
+       ". Fingers held: none/1/2.</p>"}) {
+    EXPECT_NE(screen.find(said), std::string::npos) << said;
+  }
+}
+
 TEST(ExplorationPage, SaysThatItIsPartial) {
   ExploreReport report = explored(small_options());
   report.result.partial = true;

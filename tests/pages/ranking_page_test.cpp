@@ -44,6 +44,11 @@ TEST(RankingPlot, TellsCostsOfGramsInTonnesApart) {
   EXPECT_NE(ranked.html.find(">0.0000042<"), std::string::npos);
 }
 
+TEST(RankingPage, SaysOnTheFirstScreenWhatWasAssumed) {
+  EXPECT_NE(catalogue().html.find("id=\"assumed\">Assumed: tubes mu 0.18 over 180 deg, "),
+            std::string::npos);
+}
+
 TEST(RankingCharts, DrawTheTensionsOfTheFileAsBars) {
   const std::vector<ReadPanel> panels = catalogue().chart("tensions-held-1");
   const Json& routings = catalogue().json["routings"];

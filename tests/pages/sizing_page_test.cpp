@@ -46,7 +46,7 @@ TEST(SizingPage, AnswersWithDimensionsTolerancesAndTheMotor) {
   const SizedPage& page = hand_page();
   ASSERT_EQ(page.result.exit_code, 0) << page.result.err;
   for (const char* part :
-       {"id=\"gain\"", "All may be off at once by ", "<p>Motor force ", "id=\"dimensions-table\"",
+       {"id=\"gain\"", "All may be off at once by ", "Motor force: ", "id=\"dimensions-table\"",
         "id=\"slopes-table\"", "id=\"motor-table\"", "id=\"hand-table-2\"",
         "<pre id=\"command\">reeve size M-1b-T-2b-B-3b-M "}) {
     EXPECT_TRUE(page.has(part)) << part;
@@ -61,7 +61,7 @@ TEST(SizingPage, AnswersWithDimensionsTolerancesAndTheMotor) {
     return page.json["details"][hand]["hand"]["motor"][key].get<double>();
   };
   for (const auto& [row, key] :
-       {std::pair{"force</th><td class=\"left short\">N", "force_N"},
+       {std::pair{"force, nominal</th><td class=\"left short\">N", "force_N"},
         {"speed of the spool</th><td class=\"left short\">rpm", "spool_rpm"}}) {
     EXPECT_TRUE(page.has(fmt::format("{}</td><td>{:.4g}</td><td>{:.4g}</td>", row,
                                      motor("before", key), motor("sized", key))))

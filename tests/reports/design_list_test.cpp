@@ -41,28 +41,29 @@ std::string row_of(const std::string& name) {
 TEST(DesignCsv, HasOneHeaderAndOneLineForEachDesign) {
   EXPECT_EQ(design_csv({without_hand(design("TR0"))}),
             "rank,front,routing,name,uniformity_mean,uniformity_worst,efficiency_mean,"
-            "efficiency_worst,force_transmission,jams,sheaths,pulleys,knots,travel,"
+            "efficiency_worst,force_transmission,jams,jams_all,sheaths,pulleys,knots,travel,"
             "round_trip_efficiency,adaptability,torsional_balance,reliability,authors_efficiency,"
             "transmission,score,blocks,finger_uniformity_mean,finger_uniformity_worst,"
-            "parts,cost,same_as,place\n"
+            "parts,cost,uniformity_p5,efficiency_p5,smallest_jams,same_as,place\n"
             "3,2,M-1-F,TR0,0.5,1.5,2.5,3.5,4.5,5.5,6.5,7.5,8.5,9.5,10.5,11.5,12.5,13.5,14.5,15.5,"
-            "16.5,17.5,18.5,19.5,20.5,21.5,,0\n");
+            "16.5,17.5,18.5,19.5,20.5,21.5,22.5,23.5,24.5,,,0\n");
 }
 
 TEST(DesignCsv, AddsSixColumnsWithAHand) {
   const std::string csv = design_csv({design("TR0")});
-  EXPECT_TRUE(testing::has(csv,
-                           ",parts,cost,motor_force,fingertip_force_mean,"
-                           "fingertip_force_worst,stroke,closure,motor_power,same_as,place\n"));
-  EXPECT_TRUE(csv.ends_with(",21.5,22.5,23.5,24.5,25.5,26.5,27.5,,0\n"));
+  EXPECT_TRUE(testing::has(
+      csv,
+      ",parts,cost,uniformity_p5,efficiency_p5,motor_force,fingertip_force_mean,"
+      "fingertip_force_worst,stroke,closure,motor_power,smallest_jams,same_as,place\n"));
+  EXPECT_TRUE(csv.ends_with(",24.5,25.5,26.5,27.5,28.5,29.5,30.5,,,0\n"));
 }
 
 TEST(SampleCsv, HasTheColumnsOfAHandWhereThereIsOne) {
   const Design with = design("").ranked.design;
   const Design without = without_hand(design("")).ranked.design;
-  EXPECT_TRUE(sample_csv({with}).ends_with(",26.5,27.5\n"));
+  EXPECT_TRUE(sample_csv({with}).ends_with(",29.5,30.5\n"));
   EXPECT_FALSE(testing::has(sample_csv({without}), "stroke"));
-  EXPECT_TRUE(sample_csv({without}).ends_with(",20.5,21.5\n"));
+  EXPECT_TRUE(sample_csv({without}).ends_with(",23.5,24.5\n"));
 }
 
 TEST(DesignCsv, QuotesNamesWithCommasQuotesOrLineEnds) {
@@ -87,14 +88,16 @@ TEST(DesignCsv, AddsColumnsWithRankDistributions) {
   uncertain.distribution = RankDistribution{0.25, 4, 1, 9};
   const std::string csv = design_csv({uncertain});
   EXPECT_TRUE(testing::has(
-      csv, ",parts,cost,first_share,rank_median,rank_p5,rank_p95,same_as,place,first_shared\n"));
-  EXPECT_TRUE(csv.ends_with(",21.5,0.25,4,1,9,,0,0\n"));
+      csv,
+      ",efficiency_p5,first_share,rank_median,rank_p5,rank_p95,smallest_jams,same_as,place,"
+      "first_shared\n"));
+  EXPECT_TRUE(csv.ends_with(",24.5,0.25,4,1,9,,,0,0\n"));
 }
 
 TEST(DesignCsv, LeavesTheDistributionEmptyOfADesignThatHasNone) {
   ListedDesign uncertain = without_hand(design(""));
   uncertain.distribution = RankDistribution{0.25, 4, 1, 9};
-  EXPECT_TRUE(design_csv({uncertain, without_hand(design(""))}).ends_with(",21.5,,,,,,0,\n"));
+  EXPECT_TRUE(design_csv({uncertain, without_hand(design(""))}).ends_with(",24.5,,,,,,,0,\n"));
 }
 
 TEST(DesignJson, GivesNullForAMissingNameAndADistributionOnlyIfThereIsOne) {

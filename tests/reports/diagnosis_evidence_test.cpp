@@ -188,7 +188,7 @@ TEST(DiagnosisEvidence, HasTheNumbersOfTheAnswerInItsTablesToTheDigit) {
   EXPECT_TRUE(testing::has(line_with("tube_friction       8.4 N     0.84 N       90 %"),
                            "206    63.2 to 349"))
       << text;
-  EXPECT_TRUE(testing::has(line_with("tube_friction            358"), "206")) << text;
+  EXPECT_TRUE(testing::has(line_with("tube_friction           358"), "206")) << text;
 }
 
 // Of 1000 replicates. Chances of coefficients do not come from them and may lie just above.
@@ -216,7 +216,7 @@ TEST(DiagnosisEvidence, SaysHowSingleRunsMoveTheSizes) {
                       "between 0.060 and 0.095; run Tuesday moves it farthest."});
   // Below the causes, whether any reading has all strands or not.
   const std::string document = text(diagnosis_document(report));
-  const std::size_t causes = document.find("Causes, each accepted against chance");
+  const std::size_t causes = document.find("Causes, each by its evidence");
   ASSERT_NE(causes, std::string::npos);
   EXPECT_LT(document.find("With any one run left out", causes),
             document.find("stretch by stretch"));

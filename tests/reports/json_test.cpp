@@ -34,15 +34,17 @@ TEST(JsonObjectives, AreNumbersOrNullAndCountsAreIntegers) {
   values[static_cast<std::size_t>(Objective::uniformity_mean)] = std::nan("");
   Json json;
   add_objectives(json, values);
-  EXPECT_EQ(json.dump(),
-            R"({"uniformity":{"mean":null,"worst":2.0},"efficiency":{"mean":2.0,"worst":2.0},)"
-            R"("force_transmission":2.0,"jams":2,"sheaths":2,"pulleys":2,"knots":2,"travel":2.0,)"
-            R"("round_trip_efficiency":2.0,"adaptability":2.0,)"
-            R"("torsional_balance":2.0,"reliability":2.0,)"
-            R"("authors_efficiency":2.0,"transmission":2.0,"score":2.0,"blocks":2,)"
-            R"("finger_uniformity":{"mean":2.0,"worst":2.0},"parts":2,"cost":2.0,)"
-            R"("hand":{"motor_force":2.0,"fingertip_force":{"mean":2.0,"worst":2.0},)"
-            R"("stroke":2.0,"closure":2.0,"motor_power":2.0}})");
+  EXPECT_EQ(
+      json.dump(),
+      R"({"uniformity":{"mean":null,"worst":2.0},"efficiency":{"mean":2.0,"worst":2.0},)"
+      R"("force_transmission":2.0,"jams":2,"jams_all":2,"sheaths":2,"pulleys":2,"knots":2,"travel":2.0,)"
+      R"("round_trip_efficiency":2.0,"adaptability":2.0,)"
+      R"("torsional_balance":2.0,"reliability":2.0,)"
+      R"("authors_efficiency":2.0,"transmission":2.0,"score":2.0,"blocks":2,)"
+      R"("finger_uniformity":{"mean":2.0,"worst":2.0},"parts":2,"cost":2.0,)"
+      R"("uniformity_p5":2.0,"efficiency_p5":2.0,)"
+      R"("hand":{"motor_force":2.0,"fingertip_force":{"mean":2.0,"worst":2.0},)"
+      R"("stroke":2.0,"closure":2.0,"motor_power":2.0}})");
 }
 
 TEST(JsonObjectives, HaveNoHandWhereThereIsNone) {

@@ -206,9 +206,9 @@ TEST(ModelLines, LeaveOutLawsOfTheRig) {
 
 TEST(AbsentFingers, AreSaidOfLawsToo) {
   const Model model = with_law(law_at(Target::exponent, "tube of finger 3"), {0.01});
-  EXPECT_EQ(absent_finger_notes(model, 3).size(), 0U);
+  EXPECT_EQ(model_notes(model, 3).size(), 0U);
   EXPECT_EQ(
-      absent_finger_notes(model, 2),
+      model_notes(model, 2),
       std::vector<std::string>{"law[exponent of tube of finger 3, humidity_pct, linear] of the "
                                "model changes nothing: no routing here has a finger 3"});
 }
@@ -252,8 +252,8 @@ TEST(LawsOfADiagnosis, StandBesideItsCausesWithAllTheirParts) {
   std::string keys;
   for (const auto& [key, value] : law.items()) keys += key + " ";
   EXPECT_EQ(keys,
-            "name parameters held_out p_value runner_up site acts_on covariate form middle range "
-            "formula text ");
+            "name parameters held_out p_value evidence probability folds runner_up site acts_on "
+            "covariate form middle range formula text ");
   EXPECT_EQ(law["name"], "law[exponent of sheath, humidity_pct, linear]");
   EXPECT_EQ(law["site"], "sheath");
   EXPECT_EQ(law["formula"], "phi' = phi (1 + 0.0083 (humidity_pct - 50))");

@@ -1,0 +1,93 @@
+#include "cli/flags/friction_flags.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "cli/inputs.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "readings/units.hpp"
+
+namespace reeve::cli {
+namespace {
+
+constexpr double greatest_coefficient = 10;
+
+// CLI11's own ranges take what is no number.
+std::string is_coefficient(const std::string& text) {
+  double mu = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, mu);
+  const bool is_fine = error == std::errc{} && rest == end && mu >= 0 && mu <= greatest_coefficient;
+  return is_fine ? "" : fmt::format("Value {} not in range 0 to {}", text, greatest_coefficient);
+}
+
+CLI::Option* add_coefficient(CLI::App& command, const std::string& name,
+                             std::optional<double>& value, const std::string& help) {
+  return command.add_option(name, value, help)->check(CLI::Validator(is_coefficient, ""));
+}
+
+}  // namespace
+
+double parse_angle(const std::string& text) {
+  const std::string_view given = trimmed(text);
+  double angle = 0;
+  const char* const end = given.data() + given.size();
+  const auto [rest, error] = std::from_chars(given.data(), end, angle);
+  const std::string_view unit = trimmed({rest, static_cast<std::size_t>(end - rest)});
+  const auto known =
+      unit.empty() ? std::optional(own_unit(Dimension::angle)) : find_unit(unit, Dimension::angle);
+  const bool is_number = error == std::errc{} && std::isfinite(angle) && angle >= 0;
+  if (is_number && known) return known->converted(angle);
+  throw InputError({.value = text, .expected = "an angle such as 180deg or 3.14rad"});
+}
+
+void FrictionFlags::add_to(CLI::App& command) {
+  options_ = {
+      add_coefficient(command, "--mu", mu_,
+                      "Friction coefficient of tubes and sheaths, in place of the hardware's"),
+      add_coefficient(command, "--tube-mu", tube_mu_, "Friction coefficient of the tubes alone"),
+      add_coefficient(command, "--sheath-mu", sheath_mu_,
+                      "Friction coefficient of the sheaths alone"),
+      command.add_option("--sheath-bend", sheath_bend_,
+                         "Sum of the bends of a sheath, such as 180deg or 3.14rad; its length has "
+                         "no effect")};
+}
+
+bool FrictionFlags::is_given() const {
+  for (const CLI::Option* option : options_) {
+    if (option->count() > 0) return true;
+  }
+  return false;
+}
+
+void FrictionFlags::exclude(CLI::Option& model) {
+  for (CLI::Option* option : options_) option->excludes(&model);
+}
+
+void FrictionFlags::apply(Hardware& hardware) const {
+  if (!is_given()) return;
+  if (const auto tube = tube_mu_ ? tube_mu_ : mu_) hardware.tube.mu = *tube;
+  if (const auto sheath = sheath_mu_ ? sheath_mu_ : mu_) hardware.sheath.mu = *sheath;
+  if (sheath_bend_) {
+    hardware.sheath.angle_rad =
+        for_name("--sheath-bend", [&] { return parse_angle(*sheath_bend_); });
+  }
+  for_option(given(), [&] { validate(hardware); });
+}
+
+std::string FrictionFlags::given() const {
+  std::string text;
+  for (const CLI::Option* option : options_) {
+    if (option->count() == 0) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : " ", option->get_name(),
+                        option->results().front());
+  }
+  return text;
+}
+
+}  // namespace reeve::cli

@@ -1,0 +1,151 @@
+#include "cli/manual.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string_view>
+
+namespace reeve::cli {
+namespace {
+
+// Text that roff takes as it stands: a minus stays one, and no line begins a request.
+std::string roff(std::string_view text) {
+  std::string result;
+  bool at_line_begin = true;
+  for (const char c : text) {
+    if (at_line_begin && (c == '.' || c == '\'')) result += "\\&";
+    if (c == '\\') {
+      result += "\\e";
+    } else if (c == '-') {
+      result += "\\-";
+    } else {
+      result += c;
+    }
+    at_line_begin = c == '\n';
+  }
+  return result;
+}
+
+std::string value_name(const OptionText& option) {
+  if (!option.choices.empty()) return fmt::format("{}", fmt::join(option.choices, "|"));
+  if (option.kind == "int") return "N";
+  return option.kind == "float" ? "NUMBER" : "VALUE";
+}
+
+std::string option_head(const OptionText& option) {
+  if (option.positional) return fmt::format(".I {}", roff(option.name));
+  const std::string short_name =
+      option.short_name.empty() ? "" : fmt::format("\\fB\\-{}\\fR, ", option.short_name);
+  std::string head = fmt::format("{}\\fB{}\\fR", short_name, roff("--" + option.name));
+  if (option.kind != "flag") head += fmt::format(" \\fI{}\\fR", roff(value_name(option)));
+  return head;
+}
+
+std::string option_entry(const OptionText& option) {
+  std::string text = fmt::format(".TP\n{}\n{}", option_head(option), roff(option.meaning));
+  if (!option.meaning.ends_with('.')) text += '.';
+  if (!option.preset.empty()) text += fmt::format(" Default: {}.", roff(option.preset));
+  return text + '\n';
+}
+
+std::string subcommand_section(const SubcommandText& subcommand) {
+  std::string text = fmt::format(".SS reeve {}\n{}.\n", subcommand.name, roff(subcommand.meaning));
+  for (const OptionText& option : subcommand.options) text += option_entry(option);
+  return text;
+}
+
+constexpr std::string_view manual_description =
+    "reeve explores, ranks and checks tendon routings: the ways in which one motor's tendon can be "
+    "led through the fingers of a soft wearable hand. A routing is written as the walk of its "
+    "tendon, such as M-1-T-2-F or 1-P-2-P-1; names of the catalogue, such as TR7, can stand in its "
+    "place.";
+
+constexpr std::string_view ending = R"(.SH EXIT STATUS
+.TP
+.B 0
+Done.
+.TP
+.B 1
+The answer is no: a check failed, a log holds no reading, no design meets the constraints.
+.TP
+.B 2
+Bad usage or input; one line on standard error names it.
+.TP
+.B 3
+Interrupted, standard output cannot be written, not enough memory, or an internal error.
+.SH ENVIRONMENT
+.TP
+.B REEVE_CATALOG
+Folder of a catalogue in place of the one in the program.
+.TP
+.B REEVE_MPI
+off: each process that mpirun starts works on its own.
+.SH COPYRIGHT
+Copyright 2026 the reeve authors. MIT licence; there is no warranty.
+)";
+
+std::vector<std::string> words_of_options(const SubcommandText& subcommand) {
+  std::vector<std::string> words{"--help"};
+  for (const OptionText& option : subcommand.options) {
+    if (!option.positional) words.push_back("--" + option.name);
+  }
+  return words;
+}
+
+std::string choices_cases(const SubcommandText& subcommand) {
+  std::string cases;
+  for (const OptionText& option : subcommand.options) {
+    if (option.positional || option.choices.empty()) continue;
+    cases += fmt::format("    {},--{}) values=\"{}\" ;;\n", subcommand.name, option.name,
+                         fmt::join(option.choices, " "));
+  }
+  return cases;
+}
+
+}  // namespace
+
+std::string man_page(const std::vector<SubcommandText>& subcommands, const std::string& version) {
+  std::string text = fmt::format(
+      ".TH REEVE 1 \"\" \"reeve {}\" \"User Commands\"\n.SH NAME\nreeve \\- explore, rank and "
+      "diagnose tendon routings\n.SH SYNOPSIS\n.B reeve\n.I SUBCOMMAND\n.RI [ OPTION ]...\n.br\n"
+      ".B reeve\n.I SUBCOMMAND\n.B \\-\\-help\n.SH DESCRIPTION\n{}\n.SH SUBCOMMANDS\n",
+      version, roff(manual_description));
+  for (const SubcommandText& subcommand : subcommands) text += subcommand_section(subcommand);
+  return text + std::string(ending);
+}
+
+std::string bash_completion(const std::vector<SubcommandText>& subcommands) {
+  std::vector<std::string> names{"--help", "--version"};
+  std::string options;
+  std::string choices;
+  for (const SubcommandText& subcommand : subcommands) {
+    names.push_back(subcommand.name);
+    options += fmt::format("    {}) words=\"{}\" ;;\n", subcommand.name,
+                           fmt::join(words_of_options(subcommand), " "));
+    choices += choices_cases(subcommand);
+  }
+  return fmt::format(
+      R"(# Completion of reeve for bash, made of the program's options when it was built.
+_reeve() {{
+  local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD - 1]}} words="" values=""
+  if ((COMP_CWORD == 1)); then
+    COMPREPLY=($(compgen -W "{}" -- "$word"))
+    return
+  fi
+  case "${{COMP_WORDS[1]}},$before" in
+{}  esac
+  if [[ -n $values ]]; then
+    COMPREPLY=($(compgen -W "$values" -- "$word"))
+    return
+  fi
+  [[ $word == -* ]] || return
+  case "${{COMP_WORDS[1]}}" in
+{}  esac
+  COMPREPLY=($(compgen -W "$words" -- "$word"))
+}}
+complete -o default -F _reeve reeve
+)",
+      fmt::join(names, " "), choices, options);
+}
+
+}  // namespace reeve::cli

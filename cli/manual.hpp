@@ -1,0 +1,18 @@
+// The man page and the completion of bash, made of the one table of options (option_texts.hpp).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/option_texts.hpp"
+
+namespace reeve::cli {
+
+// reeve.1, in the macros of man(7).
+std::string man_page(const std::vector<SubcommandText>& subcommands, const std::string& version);
+
+// A script for bash: subcommands, options, and values where an option takes some alone; file names
+// otherwise.
+std::string bash_completion(const std::vector<SubcommandText>& subcommands);
+
+}  // namespace reeve::cli

@@ -1,0 +1,59 @@
+#include "cli/option_texts.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <sstream>
+
+#include "cli/commands/commands.hpp"
+
+namespace reeve::cli {
+namespace {
+
+std::string kind_of(const CLI::Option& option) {
+  if (option.get_expected_max() == 0) return "flag";
+  if (option.get_expected_max() > 1) return "list";
+  const std::string type = option.get_type_name();
+  if (type.starts_with("INT") || type.starts_with("UINT")) return "int";
+  return type.starts_with("FLOAT") ? "float" : "text";
+}
+
+// CLI11 tells them in the name of the type alone: "TEXT:{paper,full,all}".
+std::vector<std::string> choices_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const std::size_t open = type.find('{');
+  if (open == std::string::npos || !type.ends_with('}')) return {};
+  std::vector<std::string> choices;
+  std::istringstream items(type.substr(open + 1, type.size() - open - 2));
+  for (std::string item; std::getline(items, item, ',');) choices.push_back(item);
+  return choices;
+}
+
+OptionText text_of(const CLI::Option& option) {
+  OptionText text;
+  text.positional = !option.nonpositional();
+  text.name = text.positional ? option.get_name() : option.get_lnames().front();
+  text.preset = option.get_default_str();
+  text.meaning = option.get_description();
+  text.kind = kind_of(option);
+  if (!option.get_snames().empty()) text.short_name = option.get_snames().front();
+  text.choices = choices_of(option);
+  return text;
+}
+
+}  // namespace
+
+std::vector<SubcommandText> subcommand_texts() {
+  CLI::App program("", "reeve");
+  int exit_code = done;
+  add_subcommands(program, exit_code);
+  std::vector<SubcommandText> texts;
+  for (const CLI::App* command : program.get_subcommands({})) {
+    texts.push_back({command->get_name(), command->get_description(), {}});
+    for (const CLI::Option* option : command->get_options()) {
+      if (option->get_name() != "--help") texts.back().options.push_back(text_of(*option));
+    }
+  }
+  return texts;
+}
+
+}  // namespace reeve::cli

@@ -1,0 +1,74 @@
+#include "reports/exploration/part_words.hpp"
+
+#include <fmt/format.h>
+
+#include "reports/data_text.hpp"
+
+namespace reeve::reports {
+namespace {
+
+// "tube,bearing" as "tube, bearing".
+std::string spaced_list(const std::string& list) {
+  std::string text;
+  for (const char c : list) text += c == ',' ? std::string(", ") : std::string(1, c);
+  return text.empty() ? "none" : text;
+}
+
+std::string blocks_text(int blocks) {
+  return plural(static_cast<std::size_t>(blocks), "floating block");
+}
+
+// "2 to 4 floating blocks"; "" if there are none.
+std::string left_out_blocks(const LeftOutParts& left_out) {
+  if (left_out.from_blocks > left_out.to_blocks) return "";
+  std::string most = blocks_text(left_out.to_blocks);
+  if (left_out.from_blocks == left_out.to_blocks) return most;
+  return fmt::format("{} to {}", left_out.from_blocks, most);
+}
+
+}  // namespace
+
+std::string parts_text(const PartSet& parts) {
+  std::string text = fmt::format("tips {}; joins {}; ends {}", spaced_list(tips_text(parts)),
+                                 spaced_list(joins_text(parts)), spaced_list(ends_text(parts)));
+  if (parts.anchored) text += "; anchored tips";
+  if (parts.blocks > 0) text += "; up to " + blocks_text(parts.blocks);
+  return text;
+}
+
+std::string routings_text(const GeneratorOptions& generator) {
+  return fmt::format("{}; {}; fingers {}", parts_text(generator.parts),
+                     generator.one_tendon ? "one tendon" : "any number of tendons",
+                     generator.identity == FingerIdentity::identical ? "alike" : "told apart");
+}
+
+std::string left_out_text(const LeftOutParts& left_out) {
+  const std::string blocks = left_out_blocks(left_out);
+  std::string parts = left_out.anchored ? "anchored tips" : blocks;
+  if (left_out.anchored && !blocks.empty()) parts += " and " + blocks;
+  const bool is_one = !left_out.anchored && left_out.to_blocks == 1;
+  const std::string next =
+      left_out.anchored ? "--anchored" : fmt::format("--blocks {}", left_out.from_blocks);
+  return fmt::format(
+      "{} {} left out: with {} there are at least {} routings, and the default adds parts up to {}",
+      parts, is_one ? "is" : "are", next, left_out.routings, left_out.limit);
+}
+
+Json parts_json(const PartSet& parts) {
+  return {{"tips", tips_text(parts)},
+          {"joins", joins_text(parts)},
+          {"ends", ends_text(parts)},
+          {"anchored", parts.anchored},
+          {"blocks", parts.blocks}};
+}
+
+Json left_out_json(const std::optional<LeftOutParts>& left_out) {
+  if (!left_out) return nullptr;
+  return {{"anchored", left_out->anchored},
+          {"from_blocks", left_out->from_blocks},
+          {"to_blocks", left_out->to_blocks},
+          {"routings", left_out->routings},
+          {"limit", left_out->limit}};
+}
+
+}  // namespace reeve::reports

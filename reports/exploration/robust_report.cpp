@@ -1,0 +1,72 @@
+#include "reports/exploration/robust_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/text.hpp"
+#include "reports/exploration/decision_words.hpp"
+
+namespace reeve::reports {
+namespace {
+
+// As a part of what the other has; 0 of nothing.
+double loss_against(double own, double other) {
+  return own == other || other == 0 ? 0 : (other - own) / std::abs(other);
+}
+
+// Of the nominal best in the 5 % quantile.
+double nominal_loss(const RobustFirst& first) {
+  return loss_against(first.nominal.p5, first.robust.p5);
+}
+
+// Of the robust best at the nominal coefficients.
+double robust_loss(const RobustFirst& first) {
+  return loss_against(first.robust.value, first.nominal.value);
+}
+
+std::string measure_words(const RobustFirst& first) {
+  return fmt::format("5 % quantile of {} over {}",
+                     first.by_score ? "the score" : "uniformity × efficiency",
+                     first.over_draws ? "the draws" : "contacts that are not alike");
+}
+
+bool is_same(const RobustFirst& first) {
+  return first.nominal.design.ranked.design.word == first.robust.design.ranked.design.word;
+}
+
+Json robust_design_json(const RobustDesign& robust, double loss) {
+  return {{"routing", robust.design.ranked.design.word},
+          {"name", text_or_null(robust.design.name)},
+          {"rank", robust.design.ranked.rank},
+          {"value", number(robust.value)},
+          {"p5", number(robust.p5)},
+          {"loss", number(loss)}};
+}
+
+}  // namespace
+
+std::vector<DocumentLine> robust_lines(const std::optional<RobustFirst>& first) {
+  if (!first) return {};
+  const auto& [nominal, robust, by_score, over_draws] = *first;
+  if (is_same(*first)) {
+    return {{fmt::format("Robust best, too: {} {}, nominal {}", measure_words(*first),
+                         fixed(nominal.p5), fixed(nominal.value))}};
+  }
+  return {{fmt::format("Robust best: {}: {} {}, where the first has {} ({}); nominal {} ({})",
+                       design_name(robust.design), measure_words(*first), fixed(robust.p5),
+                       fixed(nominal.p5), signed_percent(-nominal_loss(*first)),
+                       fixed(robust.value), signed_percent(-robust_loss(*first)))}};
+}
+
+Json robust_json(const std::optional<RobustFirst>& first) {
+  if (!first) return nullptr;
+  return {{"by", first->by_score ? "score" : "product"},
+          {"over", first->over_draws ? "draws" : "contacts"},
+          {"quantile", 0.05},
+          {"nominal", robust_design_json(first->nominal, nominal_loss(*first))},
+          {"robust", robust_design_json(first->robust, robust_loss(*first))}};
+}
+
+}  // namespace reeve::reports

@@ -1,0 +1,152 @@
+#include "reports/exploration/target_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/text.hpp"
+#include "reports/motor_words.hpp"
+#include "reports/sizing_words.hpp"
+
+namespace reeve::reports {
+namespace {
+
+constexpr std::size_t targets_shown = 10;
+
+// "2.00:1.00:1.00": pulls relative to the least that is wanted, so that their sum is the target's.
+std::string ratio_text(const std::vector<double>& shares, const Goal& goal) {
+  const double unit = *std::min_element(goal.target.begin(), goal.target.end());
+  std::string text;
+  for (const double share : shares) {
+    text += (text.empty() ? "" : ":") + fixed(share / unit, 2);
+  }
+  return text;
+}
+
+std::string moved_ratio_text(const TargetedDesign& design, const Goal& goal) {
+  return fmt::format("with μ -50 % {}, +50 % {}", ratio_text(design.moved_shares.front(), goal),
+                     ratio_text(design.moved_shares.back(), goal));
+}
+
+std::string bounds_text(const SizingOptions& sizing) {
+  std::string text;
+  for (const VariedRange& range : sizing.varied) {
+    text += fmt::format("{}{} {:.4g} to {:.4g}", text.empty() ? "" : ", ", to_text(range.name),
+                        range.bounds.low, range.bounds.high);
+  }
+  return text.empty() ? "nothing varied" : text;
+}
+
+const char* means(const TargetedDesign& design) {
+  if (!design.is_met()) return "out of reach";
+  return design.hangs_on_friction() ? "hangs on friction" : "by statics";
+}
+
+std::string targeted_text(const TargetedDesign& design, const Goal& goal) {
+  const std::string start = fmt::format("{}: {}", title_of(design.sized),
+                                        ratio_text(design.sized.design.after.shares, goal));
+  if (design.is_met() && !design.hangs_on_friction()) {
+    return fmt::format("{} by statics; {}", start, moved_ratio_text(design, goal));
+  }
+  if (design.is_met()) {
+    return fmt::format("{}, which hangs on friction: {}", start, moved_ratio_text(design, goal));
+  }
+  return fmt::format("{}, shares miss by {}", start, fixed(design.sized.design.after.nominal));
+}
+
+Json targeted_json(const TargetedDesign& design, const MotorParts& motor) {
+  const SizedDesign& sized = design.sized.design;
+  return {{"routing", design.sized.word},
+          {"name", text_or_null(design.sized.name)},
+          {"met", design.is_met()},
+          {"by_statics", design.is_by_statics()},
+          {"hangs_on_friction", design.hangs_on_friction()},
+          {"miss_without_friction", number(design.static_miss)},
+          {"miss_before", number(sized.before.nominal)},
+          {"miss", number(sized.after.nominal)},
+          {"shares", sized.after.shares},
+          {"shares_at_half_friction", design.moved_shares.front()},
+          {"shares_at_one_and_a_half_friction", design.moved_shares.back()},
+          {"motor", motor_force_json(sized.after.motor, motor)},
+          {"hardware", to_json(sized.hardware)}};
+}
+
+}  // namespace
+
+std::vector<DocumentLine> target_lines(const std::optional<TargetReport>& report) {
+  if (!report) return {};
+  const Goal& goal = report->sizing.goal;
+  const std::string wanted = ratio_text(goal.target, goal);
+  if (report->partial) return {};
+  if (report->designs.empty()) return {{"No design to meet the target " + wanted + " with", true}};
+  const TargetedDesign& first = report->designs.front();
+  const std::string start =
+      first.is_met() ? fmt::format("Target {}: ", wanted)
+                     : fmt::format("No design reaches the target {}; the nearest is ", wanted);
+  std::vector<DocumentLine> lines{
+      {start + targeted_text(first, goal), !first.is_met()},
+      {fmt::format("Designs that have that ratio by statics, without friction: {}",
+                   report->by_statics)}};
+  const SizedGoal& sized = first.sized.design.after;
+  const MotorParts& motor = report->sizing.nominal.hardware.motor;
+  for (const DocumentLine& line : motor_lines(sized.motor, motor)) {
+    lines.push_back({"As it is sized: " + line.text, line.caveat});
+  }
+  for (const DocumentLine& line : stroke_lines(sized.values, motor)) lines.push_back(line);
+  return lines;
+}
+
+Section target_section(const std::optional<TargetReport>& report) {
+  if (!report || report->designs.empty()) return {};
+  const Goal& goal = report->sizing.goal;
+  Table table{
+      {number_column("rank"), text_column("routing"), text_column("ratio"), number_column("sized"),
+       number_column("μ -50 %", "", 1), number_column("μ +50 %", "", 1), number_column("miss"),
+       number_column("without μ"), number_column("sheaths", "", 2)},
+      {}};
+  const bool hand = report->designs.front().sized.design.after.motor.has_value();
+  if (hand) {
+    table.columns.push_back(number_column("nominal motor", "N"));
+    table.columns.push_back(number_column("in 95 %", "N"));
+    table.columns.push_back(number_column("stroke", "mm"));
+  }
+  for (std::size_t i = 0; i < std::min(targets_shown, report->designs.size()); ++i) {
+    const TargetedDesign& design = report->designs[i];
+    const SizedGoal& sized = design.sized.design.after;
+    std::vector<std::string> cells{std::to_string(i + 1),
+                                   design.sized.word,
+                                   means(design),
+                                   ratio_text(sized.shares, goal),
+                                   ratio_text(design.moved_shares.front(), goal),
+                                   ratio_text(design.moved_shares.back(), goal),
+                                   fixed(sized.nominal),
+                                   fixed(design.static_miss),
+                                   fixed(value(sized.values, Objective::sheaths), 0)};
+    if (hand) {
+      cells.push_back(fixed(sized.motor->nominal_N, 1));
+      cells.push_back(fixed(sized.motor->p95_N, 1));
+      cells.push_back(fixed(value(sized.values, Objective::stroke), 1));
+    }
+    table.add(std::move(cells));
+  }
+  return {fmt::format("Nearest to the target {}, sized at the nominal coefficients: {}",
+                      ratio_text(goal.target, goal), bounds_text(report->sizing)),
+          table,
+          {}};
+}
+
+Json target_json(const std::optional<TargetReport>& report) {
+  if (!report) return nullptr;
+  const MotorParts& motor = report->sizing.nominal.hardware.motor;
+  return {{"target_shares", report->sizing.goal.target},
+          {"grasps", to_json(goal_grasps(report->sizing))},
+          {"partial", report->partial},
+          {"by_statics", report->by_statics},
+          {"designs", list_json(report->designs, [&](const TargetedDesign& design) {
+             return targeted_json(design, motor);
+           })}};
+}
+
+}  // namespace reeve::reports

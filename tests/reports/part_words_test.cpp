@@ -1,0 +1,35 @@
+#include "reports/exploration/part_words.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/has.hpp"
+
+namespace reeve::reports {
+namespace {
+
+using testing::has;
+
+TEST(PartsText, CountsOneBlockAndMore) {
+  PartSet parts = search::all_parts();
+  EXPECT_EQ(parts_text(parts),
+            "tips tube, bearing; joins T, B, P; ends M, F; anchored tips; up to 1 floating block");
+  parts.blocks = 2;
+  EXPECT_TRUE(has(parts_text(parts), "up to 2 floating blocks"));
+  EXPECT_FALSE(has(parts_text(search::paper_parts()), "block"));
+}
+
+TEST(LeftOutText, NamesThePartsAndTheOptionThatAsksForThem) {
+  EXPECT_EQ(
+      left_out_text({false, 2, 4, 5333880, 2000000}),
+      "2 to 4 floating blocks are left out: with --blocks 2 there are at least 5333880 routings, "
+      "and the default adds parts up to 2000000");
+  EXPECT_TRUE(has(left_out_text({false, 1, 1, 3000000, 2000000}),
+                  "1 floating block is left out: with --blocks 1 "));
+  EXPECT_TRUE(has(left_out_text({true, 1, 6, 5198166, 2000000}),
+                  "anchored tips and 1 to 6 floating blocks are left out: with --anchored "));
+  EXPECT_TRUE(has(left_out_text({true, 2, 1, 5198166, 2000000}),
+                  "anchored tips are left out: with --anchored "));
+}
+
+}  // namespace
+}  // namespace reeve::reports
