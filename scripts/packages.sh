@@ -14,10 +14,11 @@ command -v npm >/dev/null || PACKAGES_PAGES=("${PACKAGES_NPM[@]}")
 # fits everywhere.
 PACKAGES_TEST=(libgtest-dev libgmock-dev librapidcheck-dev libmujoco-dev python3 sqlite3 chromium
   fonts-liberation fonts-dejavu-core)
-# For the Python module and its tests, which also install it with pip. SciPy is for a notebook.
+# For the Python module and its tests, which also install it with pip. SciPy is for a notebook, jsonschema for
+# docs/schema.
 PACKAGES_PYTHON=(pybind11-dev python3-dev python3-numpy python3-pandas)
 PACKAGES_PYTHON_TEST=(python3-pytest python3-mypy python3-matplotlib python3-pip python3-venv
-  python3-setuptools python3-wheel python3-scipy)
+  python3-setuptools python3-wheel python3-scipy python3-jsonschema)
 # For `mpirun reeve` and its tests; where they are not installed neither is built.
 PACKAGES_MPI=(libopenmpi-dev openmpi-bin)
 PACKAGES_CI=(clang-format clang-tidy)

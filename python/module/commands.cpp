@@ -166,14 +166,8 @@ void bind_quick_ones(py::module_& module) {
       .def("call_data",
            [](CompareReport& self, const std::string& name) { self.data.file = name; });
   module.def("compare", &cli::api::compare, py::call_guard<py::gil_scoped_release>());
-  module.def("count", [](const Arguments& arguments) {
-    const CountReport report = cli::api::count(arguments);
-    const RoutingCounts& counts = report.counts;
-    const auto& limited = report.limited;
-    return py::make_tuple(counts.all, counts.actuated, counts.one_tendon,
-                          limited ? std::optional(limited->meeting) : std::nullopt,
-                          limited ? std::optional(limited->one_tendon) : std::nullopt);
-  });
+  module.def("count",
+             [](const Arguments& arguments) { return count_json(cli::api::count(arguments)); });
   module.def("simulate", [](const Arguments& arguments) {
     return simulation_csv(cli::api::simulate(arguments));
   });
@@ -204,7 +198,7 @@ void bind_import(py::module_& module) {
 
 py::list options(const std::string& subcommand) {
   py::list texts;
-  for (const cli::api::OptionText& option : cli::api::option_texts(subcommand)) {
+  for (const cli::OptionText& option : cli::api::option_texts(subcommand)) {
     texts.append(py::make_tuple(option.name, option.preset, option.meaning, option.kind));
   }
   return texts;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "python/module/bindings.hpp"
+#include "reports/jam_words.hpp"
 #include "search/evaluate/objectives.hpp"
 #include "search/uncertainty/bands.hpp"
 
@@ -101,6 +102,8 @@ py::dict design_columns(const Designs& designs) {
     columns["rank_p95"] =
         of_distribution(designs, [](const RankDistribution& d) { return d.high; });
   }
+  columns["smallest_jams"] =
+      texts(designs, [](const ListedDesign& d) { return reports::jams_field(d.smallest_jams); });
   columns["same_as"] = texts(designs, [](const ListedDesign& d) { return d.same_as; });
   columns["place"] = numbers<std::int64_t>(
       designs, [](const ListedDesign& d) { return static_cast<std::int64_t>(d.place); });

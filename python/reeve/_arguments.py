@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 Texts = Union[str, Sequence[str]]
 Numbers = Union[str, float, Sequence[float]]
+Angle = Union[str, float]
 Weights = Union[str, Mapping[str, float]]
 Causes = Mapping[str, Optional[Mapping[str, float]]]
 RunLike = Union[str, int]

@@ -31,6 +31,10 @@ class Counts(NamedTuple):
         Of the actuated, those that meet the constraints, if any were given.
     meeting_one_tendon : int or None
         Of those, with one tendon.
+    parts : dict
+        Parts that were counted: ``tips``, ``joins``, ``ends``, ``anchored``, ``blocks``.
+    left_out : dict or None
+        Parts that the default leaves out, since they make too many routings.
     """
 
     all: int
@@ -38,6 +42,8 @@ class Counts(NamedTuple):
     one_tendon: int
     meeting: Optional[int] = None
     meeting_one_tendon: Optional[int] = None
+    parts: Optional[dict[str, Any]] = None
+    left_out: Optional[dict[str, Any]] = None
 
 
 class Ranking(SavedResult):

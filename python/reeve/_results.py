@@ -20,7 +20,7 @@ class Result:
     Attributes
     ----------
     summary : dict
-        As the program's ``--format json`` prints it; docs/json.md has its keys.
+        As the program's ``--format json`` prints it; docs/schema has its keys.
     """
 
     def __init__(self, report: Any, request: Request) -> None:

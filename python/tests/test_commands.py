@@ -14,7 +14,7 @@ from reeve import _core
 # What only a shell or a file has: printing, and where things are written.
 OF_THE_SHELL = {
     "help", "out", "format", "columns", "text-width", "svg", "output", "plot", "save-model",
-    "save-hardware", "power", "set",
+    "save-hardware", "power", "set", "guess",
 }
 # import is a word of the language.
 COMMANDS = {"import_log": "import", "power": "simulate"} | {
@@ -65,8 +65,8 @@ def test_objects_stand_for_files(tmp_path):
 def test_a_diagnosis_of_the_published_readings(root, tmp_path):
     path = root / "catalog/measured/exo_glove_ii.csv"
     found = reeve.diagnose(path, replicates=400)
-    assert found.verdict == "cause"
-    assert list(found.causes["cause"]) == ["tube_friction", "sheath_friction"]
+    assert found.verdict == "indistinguishable"  # what one reading of TR1 is
+    assert list(found.causes["cause"])[:2] == ["tube_friction", "sheath_friction"]
     assert found.gain["reduction"] > 0.8
     assert found.answer.startswith("The friction coefficient of the tubes")
     of_a_frame = reeve.diagnose(pd.read_csv(path, comment="#"), replicates=400)

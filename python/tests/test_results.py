@@ -29,12 +29,13 @@ def sized():
 
 
 def test_one_line_says_what_it_is(diagnosis, simulated, sized):
-    found = reeve.explore(fingers=2)
+    found = reeve.explore(fingers=2, parts="full")
     counted = found.summary["evaluated"]
     assert repr(found) == f"<reeve.Exploration: 2 fingers, {counted} designs, 3 on the front>"
     assert repr(reeve.rank("TR1", "TR7")) == "<reeve.Ranking: 2 designs, TR7 first>"
     assert repr(diagnosis) == (
-        "<reeve.Diagnosis: cause (tube_friction, sheath_friction), 28 readings>")
+        "<reeve.Diagnosis: indistinguishable (tube_friction, sheath_friction, "
+        "law[exponent of tube 3 of M-1-T-2-F]), 28 readings>")
     assert repr(simulated) == "<reeve.Simulation: 6 simulated readings in 2 runs>"
     assert repr(reeve.compare(simulated.data)).startswith(
         "<reeve.Comparison: 24 simulated readings, off by ")

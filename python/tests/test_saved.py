@@ -64,8 +64,8 @@ def test_an_exploration(saved):
 
 
 def test_a_ranking(saved):
-    saved(reeve.rank("TR1", reeve.Routing("TR7"), mu="0.18"),
-          "rank", "TR1", "1-P-2-P-1", "--mu", "0.18")
+    saved(reeve.rank("TR1", reeve.Routing("TR7"), distributions="0.18"),
+          "rank", "TR1", "1-P-2-P-1", "--distributions", "0.18")
 
 
 def test_a_routing(saved):

@@ -250,3 +250,11 @@ def test_faults_have_their_parts():
 
 def test_a_routing_is_exported_as_the_program_does(program):
     assert reeve.Routing("TR7").to_mjcf() == program("export", "TR7")
+
+
+def test_a_quick_question_needs_no_file():
+    quick = reeve.show("M-1-F", held="none", mu=0.1, sheath_bend="90deg").summary
+    same = reeve.show("M-1-F", held="none", mu=0.1, sheath_bend=np.pi / 2).summary
+    tension = quick["grasps"][0]["tensions"]["T1"]
+    assert tension == pytest.approx(np.exp(-0.1 * np.pi / 2))
+    assert tension == pytest.approx(same["grasps"][0]["tensions"]["T1"])

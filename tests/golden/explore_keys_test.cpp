@@ -13,18 +13,30 @@ TEST(KeysOfTheExploreSummary, AreThePromisedOnes) {
   const Json json = summary();
   EXPECT_EQ(
       keys(json),
-      "generated rejected evaluated pruned ranked partial notes total seconds designs_per_second "
-      "front_equals_left_out front top best known ladder unmet exploration settings version");
+      "generated rejected evaluated pruned ranked partial notes left_out total seconds "
+      "designs_per_second front_equals_left_out front_distinct front top best known ladder never_jams robust_first "
+      "target motor unmet exploration settings version");
   EXPECT_EQ(keys(json["rejected"]), "not actuated");
   EXPECT_EQ(keys(json["front"][0]), "rank front routing name" + objectives + equivalent);
   EXPECT_EQ(keys(json["top"][0]), "rank front routing name" + objectives + equivalent);
   EXPECT_EQ(keys(json["known"][0]),
             "name routing rank front dominated_by generated rejected_by" + objectives);
   EXPECT_EQ(keys(json["settings"]),
-            "fingers identical_fingers parts tendons shard top constraints " + common_settings);
+            "fingers identical_fingers parts tendons shard top constraints " + common_settings +
+                " target_shares");
   EXPECT_EQ(keys(json["settings"]["parts"]), "tips joins ends anchored blocks");
   expect_pair(json["known"][0]);
   expect_settings(json["settings"]);
+}
+
+TEST(KeysOfATarget, AreThePromisedOnes) {
+  EXPECT_TRUE(summary()["target"].is_null());
+  const Json json = summary({"--target", "1=1.1,2=1", "--parts", "paper"});
+  EXPECT_EQ(keys(json["target"]), "target_shares grasps partial by_statics designs");
+  EXPECT_EQ(keys(json["target"]["designs"][0]),
+            "routing name met by_statics hangs_on_friction miss_without_friction miss_before miss "
+            "shares shares_at_half_friction shares_at_one_and_a_half_friction motor hardware");
+  EXPECT_EQ(json["settings"]["target_shares"], json["target"]["target_shares"]);
 }
 
 TEST(KeysOfASweep, AreThePromisedOnes) {
@@ -75,15 +87,15 @@ TEST(KeysOfAStoreRankedAgain, AreThePromisedOnes) {
   const Json json = json_of({"rank", "--store", store, "--objectives", "travel"});
   EXPECT_EQ(keys(json),
             "exact inexact_because partial notes total generated evaluated kept failed_constraints "
-            "front_equals_left_out front top ladder settings version");
+            "front_equals_left_out front top ladder never_jams settings version");
   EXPECT_EQ(json["inexact_because"].size(), 1U);
   EXPECT_EQ(keys(json["top"][0]), keys(summary()["top"][0]));
 }
 
 TEST(KeysOfTheLadder, AreThePromisedOnes) {
   const std::string prices = (std::filesystem::path(REEVE_CATALOG_DIR) / "prices/example.toml");
-  const Json json = summary({"--cost", prices, "--within", "5%"});
-  EXPECT_EQ(keys(json["ladder"]), "by within affordable knee rungs");
+  const Json json = summary({"--cost", prices, "--within", "5%", "--parts", "full"});
+  EXPECT_EQ(keys(json["ladder"]), "by within affordable floating_blocks knee rungs");
   EXPECT_EQ(keys(json["ladder"]["affordable"]), "routing name rank losses" + objectives);
   const Json& rungs = json["ladder"]["rungs"];
   EXPECT_EQ(keys(rungs[1]), "at_most routing name rank kept gains losses" + objectives);
@@ -95,6 +107,28 @@ TEST(KeysOfTheLadder, AreThePromisedOnes) {
             "unit sheath tube tip_bearing fixed_pulley movable_pulley block bar anchor fixed_end "
             "knot tendon_mm");
   EXPECT_EQ(keys(json_of({"rank", "--catalog"})["ladder"]), keys(json["ladder"]));
+}
+
+TEST(KeysOfTheBestWithAndWithoutBlocks, AreThePromisedOnes) {
+  EXPECT_TRUE(summary({"--parts", "full"})["ladder"]["floating_blocks"].is_null());
+  const Json best = summary()["ladder"]["floating_blocks"];
+  EXPECT_EQ(keys(best), "without with with_bars");
+  for (const char* kind : {"without", "with", "with_bars"}) {
+    EXPECT_EQ(keys(best[kind]), "routing name rank losses" + objectives + " moving_parts strands");
+  }
+  EXPECT_EQ(best["without"]["moving_parts"], 0);
+  EXPECT_EQ(best["with"]["moving_parts"], 1);
+  EXPECT_EQ(best["with"]["strands"], 2);
+  EXPECT_EQ(best["with_bars"]["routing"], "M-W1+1x-W1-2x");
+}
+
+TEST(KeysOfTheLeftOutParts, AreThePromisedOnes) {
+  EXPECT_TRUE(summary()["left_out"].is_null());
+  const Json json = json_of({"count", "--fingers", "5"});
+  EXPECT_EQ(keys(json["parts"]), "tips joins ends anchored blocks");
+  EXPECT_EQ(json["left_out"].dump(),
+            R"({"anchored":false,"from_blocks":2,"to_blocks":4,"routings":5333880,)"
+            R"("limit":2000000})");
 }
 
 TEST(KeysOfUnmetConstraints, AreThePromisedOnes) {

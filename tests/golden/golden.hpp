@@ -2,7 +2,7 @@
 // exactly, numbers to within 1e-9. Seconds, rates, the version and what hangs on it are left out.
 //
 // REEVE_UPDATE_GOLDEN=1 in the environment rewrites the files instead; look at the difference
-// before you keep it, and at docs/json.md.
+// before you keep it, and at docs/schema.
 #pragma once
 
 #include <gtest/gtest.h>

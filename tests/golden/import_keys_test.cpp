@@ -1,4 +1,4 @@
-// The keys of the JSON of `import`, which docs/json.md promises to keep.
+// The keys of the JSON of `import`, which docs/schema promises to keep.
 #include <gtest/gtest.h>
 
 #include "tests/golden/json_keys.hpp"
@@ -20,6 +20,14 @@ TEST(KeysOfImport, AreThePromisedOnes) {
             "incomplete copy spike too_few");
   EXPECT_EQ(keys(json["settings"]),
             "least_time_s tolerance per_sweep reverse direction run routing held");
+}
+
+TEST(KeysOfAGuess, AreThePromisedOnes) {
+  const Json json = Json::parse(reeve({"import", logged, "--guess", "--format", "json"}).out);
+  EXPECT_EQ(keys(json),
+            "file separator columns first_rows missing assumed can_be_imported command version");
+  EXPECT_EQ(keys(json["columns"][0]), "name kind meaning reason");
+  EXPECT_EQ(json["can_be_imported"], true);
 }
 
 }  // namespace

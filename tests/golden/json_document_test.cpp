@@ -1,4 +1,4 @@
-// docs/json.md has every key and every column.
+// docs/schema has every key, and docs/json.md every column.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -10,13 +10,19 @@
 namespace reeve::testing {
 namespace {
 
+// True of an object whose keys depend on the input; python/tests/test_schema.py checks its values.
+bool is_map(const std::string& key, const Json& value) {
+  static const std::set<std::string> maps{
+      "tensions",   "shares", "rejected", "bands",      "weights",    "gains",    "losses",
+      "objectives", "values", "others",   "conditions", "parameters", "intervals"};
+  return value.is_object() && maps.contains(key);
+}
+
 // All keys that do not depend on the input.
 void collect(const Json& json, std::set<std::string>& keys) {
   for (const auto& [key, value] : json.items()) {
     if (json.is_object()) keys.insert(key);
-    if (value.is_structured() && key != "tensions" && key != "shares" && key != "rejected") {
-      collect(value, keys);
-    }
+    if (value.is_structured() && !is_map(key, value)) collect(value, keys);
   }
 }
 
@@ -30,48 +36,63 @@ std::string as_documented(const std::string& name) {
   return name;
 }
 
-TEST(TheJsonDocument, NamesEveryKeyAndEveryColumn) {
+std::string all_schemas() {
+  std::string text;
+  const auto folder = std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "schema";
+  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    text += read_text(file.path());
+  }
+  return text;
+}
+
+TEST(TheJsonDocument, NamesEveryColumnAndTheSchemasEveryKey) {
   const std::string document =
       read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "json.md");
+  const std::string schemas = all_schemas();
   const TemporaryFolder folder;
   const std::string hardware =
       (std::filesystem::path(REEVE_CATALOG_DIR) / "hardware" / "example.toml").string();
-  std::set<std::string> names;
-  collect(json_of({"show", "TR1"}), names);
-  collect(json_of({"show", "LuffTackle"}), names);
-  collect(json_of({"rank", "--catalog", "--uncertainty", "--draws", "5"}), names);
-  collect(json_of({"rank", "--catalog", "--hardware", hardware}), names);
-  collect(json_of({"rank", "TR3", "TR7", "--margin"}), names);
-  collect(json_of({"rank", "TR3", "TR7", "--sweep", "mu=0.1..0.2"}), names);
-  collect(with_page({"rank", "TR5", "TR7", "--data", readings}), names);
-  collect(json_of({"rank", "TR5", "--model", example_model}), names);
-  collect(summary(), names);
+  std::set<std::string> keys_seen;
+  collect(json_of({"show", "TR1"}), keys_seen);
+  collect(json_of({"show", "LuffTackle"}), keys_seen);
+  collect(json_of({"rank", "--catalog", "--uncertainty", "--draws", "5"}), keys_seen);
+  collect(json_of({"rank", "--catalog", "--hardware", hardware}), keys_seen);
+  collect(json_of({"rank", "TR3", "TR7", "--margin"}), keys_seen);
+  collect(json_of({"rank", "TR3", "TR7", "--sweep", "mu=0.1..0.2"}), keys_seen);
+  collect(with_page({"rank", "TR5", "TR7", "--data", readings}), keys_seen);
+  collect(json_of({"rank", "TR5", "--model", example_model}), keys_seen);
+  collect(summary(), keys_seen);
   const std::string prices =
       (std::filesystem::path(REEVE_CATALOG_DIR) / "prices" / "example.toml").string();
-  collect(summary({"--cost", prices}), names);
-  collect(summary({"--constraint", "sheaths<=0"}), names);
-  collect(json_of({"count"}), names);
-  collect(json_of({"check"}), names);
-  collect(json_of({"compare", readings}), names);
-  collect(json_of(power), names);
-  collect(json_of(sizing), names);
-  collect(json_of({"import", logged}), names);
-  collect(json_of({"diagnose", diagnosed + "cause.csv"}), names);
-  collect(json_of({"diagnose", seeds_readings}), names);
+  collect(summary({"--cost", prices}), keys_seen);
+  collect(summary({"--constraint", "sheaths<=0"}), keys_seen);
+  collect(json_of({"count"}), keys_seen);
+  collect(json_of({"check"}), keys_seen);
+  collect(json_of({"compare", readings}), keys_seen);
+  collect(json_of(power), keys_seen);
+  collect(json_of(sizing), keys_seen);
+  collect(json_of({"import", logged}), keys_seen);
+  collect(json_of({"diagnose", diagnosed + "cause.csv"}), keys_seen);
+  collect(json_of({"diagnose", seeds_readings}), keys_seen);
   const std::string csv =
       reeve({"rank", "--catalog", "--uncertainty", "--draws", "5", "--format", "csv"}).out;
   reeve({"compare", readings, "--out", folder.path().string()});
   const std::string residuals = read_text(folder.path() / "residuals.csv");
   const std::size_t second = residuals.find('\n') + 1;  // below a comment
+  std::set<std::string> columns_seen;
   for (const std::string& header :
        {csv.substr(0, csv.find('\n')),
         residuals.substr(second, residuals.find('\n', second) - second)}) {
     std::istringstream columns(header);
-    for (std::string column; std::getline(columns, column, ',');) names.insert(column);
+    for (std::string column; std::getline(columns, column, ',');) columns_seen.insert(column);
   }
-  EXPECT_GT(names.size(), 60U);
-  for (const std::string& name : names) {
-    EXPECT_NE(document.find('`' + as_documented(name) + '`'), std::string::npos) << name;
+  EXPECT_GT(keys_seen.size(), 60U);
+  for (const std::string& key : keys_seen) {
+    EXPECT_NE(schemas.find('"' + key + "\": {"), std::string::npos) << key;
+  }
+  EXPECT_GT(columns_seen.size(), 60U);
+  for (const std::string& column : columns_seen) {
+    EXPECT_NE(document.find('`' + as_documented(column) + '`'), std::string::npos) << column;
   }
 }
 

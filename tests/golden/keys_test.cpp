@@ -1,4 +1,4 @@
-// The keys of the JSON interface, which docs/json.md promises to keep: names and order. Those about
+// The keys of the JSON interface, which docs/schema promises to keep: names and order. Those about
 // measured tensions are in readings_keys_test.cpp, those of an exploration in
 // explore_keys_test.cpp.
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 TEST(KeysOfShow, AreThePromisedOnes) {
   const Json json = json_of({"show", "TR5", "--held", "1"});
   EXPECT_EQ(keys(json), "routing name canonical direction motor_sides trees grasps" + objectives +
-                            " model result_id");
+                            " smallest_jams model result_id");
   EXPECT_TRUE(json["model"].is_null());
   EXPECT_EQ(keys(json["grasps"][0]),
             "held jams tensions shares contacts uniformity efficiency force_transmission");
@@ -30,7 +30,7 @@ const std::string hand_objectives = "motor_force fingertip_force stroke closure 
 TEST(KeysOfShow, AddAHandWhereTheHardwareHasOne) {
   const Json json = json_of({"show", "M-1-T-2-T-3-F", "--hardware", example_hand});
   EXPECT_EQ(keys(json), "routing name canonical direction motor_sides trees grasps" + objectives +
-                            " hand model result_id");
+                            " hand smallest_jams model result_id");
   const Json& hand = json["hand"];
   EXPECT_EQ(keys(hand), hand_objectives + " fingers grasps motor");
   EXPECT_EQ(keys(hand["fingertip_force"]), "mean worst");
@@ -40,8 +40,9 @@ TEST(KeysOfShow, AddAHandWhereTheHardwareHasOne) {
             "finger pull_per_motor force_per_motor asks_motor_N force_N joint force_at_limit_N");
   EXPECT_EQ(keys(hand["motor"]),
             "force_N frictionless_N friction_cost weakest stroke_mm closure speed_mm_s power_W "
-            "work_J springs_J friction_J fingers_J torque_Nm spool_rpm force_is_enough "
+            "work_J springs_J friction_J fingers_J torque_Nm spool_rpm drawn "
             "stroke_is_enough force_reach stroke_reach");
+  EXPECT_EQ(keys(hand["motor"]["drawn"]), "nominal_N p95_N draws seed is_enough");
   EXPECT_EQ(keys(hand["motor"]["force_reach"]), "motor_N share_of_wanted weakest");
   EXPECT_EQ(keys(hand["motor"]["force_reach"]["weakest"]), "finger joint held force_N");
   EXPECT_EQ(keys(hand["motor"]["stroke_reach"]), "stroke_mm closure closed");
@@ -54,7 +55,7 @@ TEST(KeysOfRank, AddAHandWhereTheHardwareHasOne) {
             "rank front routing name" + objectives + " hand" + equivalent);
   EXPECT_EQ(keys(json["designs"][0]["hand"]), hand_objectives);
   const Json& hardware = json["settings"]["hardware"];
-  EXPECT_EQ(keys(hardware), "tube bearing sheath lengths fingers contacts hand motor");
+  EXPECT_EQ(keys(hardware), "tube bearing sheath scatter lengths fingers contacts hand motor");
   EXPECT_EQ(keys(hardware["hand"]), "force_N joints");
   EXPECT_EQ(keys(hardware["hand"]["joints"][0]),
             "arm_mm range_deg lever_mm spring_Nmm_rad rest_deg held_deg");
@@ -68,13 +69,14 @@ TEST(KeysOfShow, HaveNullWhereNoMotorForceIsEnough) {
   EXPECT_TRUE(hand["motor"]["force_N"].is_null());
   EXPECT_TRUE(hand["grasps"][1]["fingers"][1]["asks_motor_N"].is_null());
   EXPECT_TRUE(hand["grasps"][1]["fingers"][1]["joint"].is_null());
-  EXPECT_EQ(hand["motor"]["force_is_enough"], false);
+  EXPECT_TRUE(hand["motor"]["drawn"]["nominal_N"].is_null());
+  EXPECT_EQ(hand["motor"]["drawn"]["is_enough"], false);
 }
 
 TEST(KeysOfShow, AddPricesWhereTheyAreGiven) {
   const Json json = json_of({"show", "TR5", "--cost", REEVE_CATALOG_DIR "/prices/example.toml"});
   EXPECT_EQ(keys(json), "routing name canonical direction motor_sides trees grasps" + objectives +
-                            " model prices result_id");
+                            " smallest_jams model prices result_id");
   EXPECT_EQ(json["prices"]["unit"], "EUR");
 }
 
@@ -90,7 +92,7 @@ TEST(KeysOfShow, HaveNullWhereThereIsNoNameOrNoNumber) {
 
 TEST(KeysOfRank, AreThePromisedOnes) {
   const Json json = json_of({"rank", "--catalog"});
-  EXPECT_EQ(keys(json), "designs settings ladder version result_id");
+  EXPECT_EQ(keys(json), "designs settings ladder never_jams robust_first motor version result_id");
   EXPECT_EQ(keys(json["designs"][0]), "rank front routing name" + objectives + equivalent);
   EXPECT_EQ(keys(json["settings"]), common_settings);
   EXPECT_TRUE(json["settings"]["uncertainty"].is_null());
@@ -135,7 +137,8 @@ TEST(KeysOfRank, AddADistributionWithUncertainty) {
 
 TEST(KeysOfRank, AddTheMarginsOfTheFirstDesignIfAskedFor) {
   const Json json = json_of({"rank", "TR3", "TR7", "--margin"});
-  EXPECT_EQ(keys(json), "designs settings ladder margins version result_id");
+  EXPECT_EQ(keys(json),
+            "designs settings ladder never_jams robust_first motor margins version result_id");
   ASSERT_EQ(json["margins"].size(), 1U);
   EXPECT_EQ(json["margins"][0]["over"], "F-1-P-2-F");
   EXPECT_EQ(keys(json["margins"][0]), "over lead least_lead at");
@@ -146,7 +149,7 @@ TEST(KeysOfRank, AddWhatThePageShows) {
   const Json json = with_page({"rank", "TR5", "TR7", "--data", readings});
   EXPECT_EQ(
       keys(json),
-      "designs settings ladder best routings tension_distributions measured_data version result_id");
+      "designs settings ladder never_jams robust_first motor best routings tension_distributions measured_data version result_id");
   EXPECT_EQ(keys(json["best"][0]), "objective value count routings");
   EXPECT_EQ(keys(json["routings"][0]) + " result_id", keys(json_of({"show", "TR7"})));
   ASSERT_EQ(json["tension_distributions"].size(), 6U);  // two coefficients in three grasps
@@ -176,9 +179,11 @@ TEST(KeysOfSize, AreThePromisedOnes) {
   EXPECT_EQ(keys(design["dimensions"][0]["tolerance"]), "less more");
   EXPECT_EQ(keys(design["flat"][0]), "moves loss");
   EXPECT_EQ(keys(design["flat"][0]["moves"][0]), "dimension by");
-  EXPECT_EQ(keys(design["sized"]), "goal nominal_goal finger_shares" + objectives);
-  EXPECT_EQ(keys(json["settings"]),
-            "goal target_shares better robust vary same starts evaluations " + evaluated_settings);
+  EXPECT_EQ(keys(design["sized"]), "goal nominal_goal finger_shares motor" + objectives);
+  EXPECT_EQ(
+      keys(json["settings"]),
+      "goal target_shares better robust vary same starts evaluations goal_grasps told_draws " +
+          evaluated_settings);
   EXPECT_EQ(keys(json["settings"]["vary"][0]), "dimension bounds");
 }
 
@@ -204,24 +209,27 @@ TEST(KeysOfSize, HaveNullWhereThereIsNoSuchThing) {
 }
 
 TEST(KeysOfCount, AreThePromisedOnes) {
-  EXPECT_EQ(keys(json_of({"count"})), "all actuated one_tendon");
+  EXPECT_EQ(keys(json_of({"count"})), "all actuated one_tendon parts left_out");
 }
 
 TEST(KeysOfCheck, AreThePromisedOnes) {
   const Json json = json_of({"check"});
-  EXPECT_EQ(keys(json), "checks misprints agrees used explained open differs families version");
+  EXPECT_EQ(keys(json),
+            "checks misprints agrees used explained refuted open differs families version");
   EXPECT_EQ(keys(json["misprints"][0]), "family routing source text");
   for (const Json& check : json["checks"]) {
     EXPECT_EQ(keys(check),
               "family routing source quantity published computed status inferred_from reason");
-    EXPECT_EQ(check["reason"].is_null(), check["status"] == "agrees" || check["status"] == "used");
+    // What gave the coefficient of an expression has the expression as its reason.
     if (check["status"] == "used") {
       EXPECT_FALSE(check["inferred_from"].is_null());
+    } else {
+      EXPECT_EQ(check["reason"].is_null(), check["status"] == "agrees");
     }
   }
   std::size_t differing = 0;
   for (const Json& family : json["families"]) {
-    EXPECT_EQ(keys(family), "family agrees used explained open differs");
+    EXPECT_EQ(keys(family), "family agrees used explained refuted open differs");
     differing += family["open"].get<std::size_t>();
   }
   EXPECT_EQ(json["open"], differing);

@@ -50,8 +50,18 @@ TEST(GoldenSchematic, OfThePulleyAtTheHandIsTheFigureOfTheDocuments) {
                                    "pulley-at-the-hand.svg");
 }
 
-// The sheet in the README is what the program draws.
-TEST(GoldenSchematic, OfTheCatalogueIsTheSheetOfTheReadme) {
+TEST(GoldenSchematic, OfTwoRoutingsIsThePictureOfTheReadme) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "drawing.svg").string();
+  for (const char* name : {"tr1", "tr3"}) {
+    output_of({"show", name, "--held", "1", "--svg", file});
+    expect_text(read_text(file), std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "figures" /
+                                     (std::string(name) + "-held-1.svg"));
+  }
+}
+
+// The sheet in docs/schematics.md is what the program draws.
+TEST(GoldenSchematic, OfTheCatalogueIsTheSheetOfTheDocuments) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "sheet.svg").string();
   output_of({"check", "--svg", file});

@@ -163,14 +163,16 @@ TEST(Check, ExitsWithOneIfAPrintedNumberIsAnother) {
   EXPECT_FALSE(first["reason"].is_null());
 }
 
-TEST(Version, NamesReleaseAndCommit) {
+TEST(Version, NamesReleaseCommitAndLicence) {
   const ProcessResult result = reeve("--version");
   EXPECT_EQ(result.exit_code, 0);
   const bool has_history = std::filesystem::exists(std::string(REEVE_SOURCE_DIR) + "/.git");
   const std::regex expected(
       has_history ? R"(reeve \d+\.\d+\.\d+ \([0-9a-f]{7,40}(-dirty(-[0-9a-f]{8})?)?\)\n)"
                   : R"(reeve \d+\.\d+\.\d+ \(.+\)\n)");
-  EXPECT_TRUE(std::regex_match(result.out, expected)) << result.out;
+  const std::size_t end = result.out.find('\n') + 1;
+  EXPECT_TRUE(std::regex_match(result.out.substr(0, end), expected)) << result.out;
+  EXPECT_EQ(result.out.substr(end), "MIT licence, copyright 2026 the reeve authors; no warranty\n");
 }
 
 // A checkout whose program would be built.
@@ -232,11 +234,11 @@ TEST(Help, MentionsEveryOption) {
        {"routing", "--held", "--direction", "--svg", "--out", "--hardware", "--model", "--cost",
         "--format"}},
       {"rank",
-       {"routing", "--catalog", "--family", "--margin", "--fingers", "--out", "--data", "--mu",
-        "--map", "--unit", "--group", "--store", "--constraint", "--top"}},
+       {"routing", "--catalog", "--family", "--margin", "--fingers", "--out", "--data",
+        "--distributions", "--map", "--unit", "--group", "--store", "--constraint", "--top"}},
       {"explore",
        {"--tendons", "--constraint", "--shard", "--top", "--details", "--out", "--store",
-        "--store-every", "--keep"}},
+        "--store-every", "--keep", "--target"}},
       {"count", {"--constraint", "--format"}},
       {"check", {"--family", "--svg", "--format"}},
       {"compare",
@@ -256,6 +258,8 @@ TEST(Help, MentionsEveryOption) {
     Arguments& list = commands[command].second;
     list.insert(list.end(), options.begin(), options.end());
   };
+  const Arguments friction("--mu --tube-mu --sheath-mu --sheath-bend");
+  for (const std::size_t command : {0U, 1U, 2U}) add(command, friction);
   add(1, ranking);
   add(2, ranking);
   add(2, generator);

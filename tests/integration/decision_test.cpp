@@ -135,7 +135,7 @@ TEST(Constraints, AreColumnsOfTheTableThePageAndTheDraws) {
   const Explored explored({"--fingers", "3", "--hardware",
                            REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml", "--constraint",
                            "motor_force<=150", "--uncertainty", "--draws", "40", "--top", "5"});
-  EXPECT_TRUE(says(explored.result, "  motor (N)\n"));
+  EXPECT_TRUE(says(explored.result, "  nominal motor (N)\n"));
   EXPECT_TRUE(says(explored.result, "  meets all  "));
   const Json first = explored.summary()["top"][0];
   const double met = first["constraints_met"];

@@ -1,8 +1,13 @@
-// What documents show is what the program does: the Python and Octave lines of docs/tables.md, run
-// as they stand there on what `reeve explore` wrote, and the figures of docs/figures, drawn again.
+// Documents say what the program does: the Python and Octave lines of docs/tables.md, run as they
+// stand there on what `reeve explore` wrote; the figures of docs/figures, drawn again; links, and
+// the options of docs/options.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -139,8 +144,8 @@ TEST(FiguresInDocuments, AreWhatTheirCommandsWrite) {
     return svg.substr(0, svg.rfind("<!-- "));  // its id hangs on the version
   };
   const std::string out = (folder.path() / "out").string();
-  EXPECT_TRUE(written({"explore", "--fingers", "5", "--out", out}, "out/figures/pareto.svg") ==
-              in_documents("pareto.svg"));
+  EXPECT_TRUE(written({"explore", "--fingers", "5", "--parts", "full", "--out", out},
+                      "out/figures/pareto.svg") == in_documents("pareto.svg"));
   EXPECT_TRUE(written({"rank", "--catalog", "--grasps", "paper", "--score", "authors", "--sweep",
                        "mu=0.02..0.3", "--uncertainty", "--out", out},
                       "out/figures/sweep-score.svg") == in_documents("sweep.svg"));
@@ -149,6 +154,110 @@ TEST(FiguresInDocuments, AreWhatTheirCommandsWrite) {
   const std::string readings = std::string(REEVE_SOURCE_DIR) + "/catalog/measured/exo_glove_ii.csv";
   EXPECT_TRUE(written({"diagnose", readings, "--out", out}, "out/figures/figure-9.svg") ==
               in_documents("seven-routings.svg"));
+}
+
+namespace fs = std::filesystem;
+
+// True of a byte that GitHub keeps of a heading in its anchor.
+bool is_kept_in_anchor(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return std::isalnum(byte) != 0 || c == '-' || c == '_' || c == ' ' || byte >= 0x80;
+}
+
+// GitHub's anchor of a heading: lower case, punctuation left out, blanks as hyphens.
+std::string anchor_of(const std::string& heading) {
+  std::string anchor;
+  for (const char c : heading) {
+    if (!is_kept_in_anchor(c)) continue;
+    anchor += c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return anchor;
+}
+
+std::set<std::string> anchors_of(const fs::path& page) {
+  std::set<std::string> anchors;
+  std::istringstream in(read_text(page));
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t level = line.find_first_not_of('#');
+    if (level == 0 || level == std::string::npos || line[level] != ' ') continue;
+    anchors.insert(anchor_of(line.substr(level + 1)));
+  }
+  return anchors;
+}
+
+std::vector<std::string> relative_links_of(const fs::path& page) {
+  static const std::regex link(R"(\]\(([^)\s]+)\))");
+  const std::string text = read_text(page);
+  std::vector<std::string> links;
+  for (std::sregex_iterator at(text.begin(), text.end(), link), end; at != end; ++at) {
+    const std::string target = (*at)[1];
+    if (target.find("://") == std::string::npos) links.push_back(target);
+  }
+  return links;
+}
+
+std::vector<fs::path> documents() {
+  const fs::path root = REEVE_SOURCE_DIR;
+  std::vector<fs::path> pages{root / "README.md", root / "CHANGELOG.md", root / "tests/README.md"};
+  for (const auto& file : fs::directory_iterator(root / "docs")) {
+    if (file.path().extension() == ".md") pages.push_back(file.path());
+  }
+  std::sort(pages.begin(), pages.end());
+  return pages;
+}
+
+TEST(DocumentLinks, LeadToFilesAndHeadings) {
+  int links = 0;
+  for (const fs::path& page : documents()) {
+    for (const std::string& link : relative_links_of(page)) {
+      const std::size_t hash = link.find('#');
+      const std::string file = link.substr(0, hash);
+      const fs::path target = file.empty() ? page : page.parent_path() / file;
+      ASSERT_TRUE(fs::exists(target)) << page << ": " << link;
+      if (hash != std::string::npos) {
+        EXPECT_TRUE(anchors_of(target).contains(link.substr(hash + 1))) << page << ": " << link;
+      }
+      ++links;
+    }
+  }
+  EXPECT_GT(links, 100);
+}
+
+TEST(DocumentLinks, LeadFromTheIndexToEveryPage) {
+  const fs::path index = fs::path(REEVE_SOURCE_DIR) / "docs" / "README.md";
+  const std::vector<std::string> links = relative_links_of(index);
+  for (const fs::path& page : documents()) {
+    if (page.parent_path() != index.parent_path() || page == index) continue;
+    EXPECT_NE(std::find(links.begin(), links.end(), page.filename().string()), links.end()) << page;
+  }
+}
+
+std::set<std::string> matches(const std::string& text, const std::regex& pattern) {
+  std::set<std::string> found;
+  for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end; ++at) {
+    found.insert((*at)[1]);
+  }
+  return found;
+}
+
+TEST(TheOptionsDocument, NamesEverySubcommandAndEveryOption) {
+  const std::string document = read_text(fs::path(REEVE_SOURCE_DIR) / "docs" / "options.md");
+  const std::string help = reeve({"--help"}).out;
+  const std::set<std::string> subcommands =
+      matches(help.substr(help.find("Subcommands:")), std::regex(R"(\n  ([a-z]+) )"));
+  EXPECT_GE(subcommands.size(), 12U);
+  for (const std::string& subcommand : subcommands) {
+    EXPECT_TRUE(std::regex_search(document, std::regex("\n\\| `" + subcommand + "[ `]")))
+        << subcommand;
+    const std::set<std::string> options =
+        matches(reeve({subcommand, "--help"}).out, std::regex(R"(\n  (?:-\w,)?(--[a-z-]+))"));
+    EXPECT_GE(options.size(), 3U) << subcommand;
+    for (const std::string& option : options) {
+      if (option == "--help") continue;
+      EXPECT_TRUE(std::regex_search(document, std::regex("`" + option + "[ `]")))
+          << subcommand << ' ' << option;
+    }
+  }
 }
 
 }  // namespace

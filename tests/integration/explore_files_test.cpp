@@ -33,7 +33,7 @@ TEST(ExploreFiles, ReplaceThoseOfAnEarlierRun) {
   ProcessOptions options{.directory = folder.path()};
   reeve("explore --fingers 3 --out a/b", options);
   const std::string first = read_text(folder.path() / "a/b/designs.csv");
-  reeve("explore --fingers 2 --out a/b", options);
+  reeve("explore --fingers 2 --parts full --out a/b", options);
   EXPECT_NE(read_text(folder.path() / "a/b/designs.csv"), first);
   EXPECT_EQ(read_text(folder.path() / "a/b/designs.csv"),
             Explored("--fingers 2").file("designs.csv"));
@@ -140,7 +140,7 @@ TEST(ExploreShards, MayOutnumberTheRoutings) {
 }
 
 TEST(ExploreCounts, AgreeWithCount) {
-  const Json summary = Explored("--fingers 3 --distinct-fingers").summary();
+  const Json summary = Explored("--fingers 3 --parts field --distinct-fingers").summary();
   const Json counts = Json::parse(reeve("count --fingers 3 --distinct-fingers --format json").out);
   EXPECT_EQ(summary["generated"], counts["all"]);
   EXPECT_EQ(summary["evaluated"], counts["actuated"]);
@@ -167,7 +167,7 @@ TEST(Count, AllPartsAreTheFullOnesWithAnchoredTipsAndABlock) {
 
 TEST(Count, SaysTreesWhereBlocksTieTendonsTogether) {
   EXPECT_TRUE(has(reeve("count --blocks 1").out, "every tree actuated"));
-  EXPECT_TRUE(has(reeve("count").out, "every tendon actuated"));
+  EXPECT_TRUE(has(reeve("count --parts full").out, "every tendon actuated"));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/support/process.hpp"
+#include "tests/support/sanitizers.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace reeve::testing {
@@ -25,13 +26,13 @@ inline ProcessOptions disturbed(int signal, std::function<bool(const RunningProc
   return options;
 }
 
-// A sanitizer's runtime has to be loaded before everything else, and has an allocator of its own.
-inline bool has_sanitizer() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  return true;
-#else
-  return false;
-#endif
+// Where nothing else is asked for, parts whose designs do not change with what the default allows.
+inline Arguments with_full_parts(Arguments arguments) {
+  const bool names_parts =
+      std::any_of(arguments.begin(), arguments.end(),
+                  [](const std::string& each) { return each.starts_with("--parts"); });
+  if (!names_parts) arguments.insert(arguments.end(), {"--parts", "full"});
+  return arguments;
 }
 
 struct Explored {
@@ -44,6 +45,7 @@ struct Explored {
 
   // Again, into the same folder.
   void run(Arguments arguments, ProcessOptions options = {}) {
+    arguments = with_full_parts(std::move(arguments));
     arguments.insert(arguments.begin(), {"explore", "--out", "out"});
     options.directory = folder.path();
     result = reeve(arguments, options);

@@ -29,7 +29,7 @@ std::vector<std::pair<Arguments, std::size_t>> commands_and_their_tables() {
   const std::string data = std::string(REEVE_SOURCE_DIR) + "/tests/golden/diagnose_none.csv";
   return {{{"rank", "--catalog"}, 2},
           {{"rank", "--catalog", "--margin", "--uncertainty", "--draws", "5"}, 4},
-          {{"explore"}, 4},
+          {{"explore", "--parts", "full"}, 4},
           {{"show", "TR5"}, 4},
           {{"count"}, 1},
           {{"check"}, 6},

@@ -24,12 +24,27 @@ TEST(HandOfTheCommands, IsTheSameInShowRankAndExplore) {
   const TemporaryFolder folder;
   const Json shown = hand_json({"show", design_of_the_document})["hand"];
   const Json ranked = hand_json({"rank", design_of_the_document})["designs"][0]["hand"];
-  const Json explored =
-      Json::parse(reeve({"explore", "--fingers", "3", "--distinct-fingers", "--hardware", hand_file,
-                         "--objectives", "motor_force,stroke", "--constraint", "sheaths<=2",
-                         "--constraint", "motor_force<=80", "--constraint", "stroke<=90",
-                         "--format", "json", "--out", folder.path().string()})
-                      .out);
+  const Json explored = Json::parse(reeve({"explore",
+                                           "--fingers",
+                                           "3",
+                                           "--parts",
+                                           "full",
+                                           "--distinct-fingers",
+                                           "--hardware",
+                                           hand_file,
+                                           "--objectives",
+                                           "motor_force,stroke",
+                                           "--constraint",
+                                           "sheaths<=2",
+                                           "--constraint",
+                                           "motor_force<=80",
+                                           "--constraint",
+                                           "stroke<=90",
+                                           "--format",
+                                           "json",
+                                           "--out",
+                                           folder.path().string()})
+                                        .out);
   EXPECT_EQ(explored["top"][0]["routing"], design_of_the_document);
   for (const char* key : {"motor_force", "fingertip_force", "stroke", "closure", "motor_power"}) {
     EXPECT_EQ(ranked[key], shown[key]) << key;

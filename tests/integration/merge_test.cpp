@@ -25,7 +25,7 @@ class Merging : public ::testing::Test {
     Arguments command{"explore", "--out", "s" + std::to_string(index), "--shard",
                       std::to_string(index) + "/" + std::to_string(count)};
     command.insert(command.end(), arguments.begin(), arguments.end());
-    const ProcessResult result = run(command, folder_.path());
+    const ProcessResult result = run(with_full_parts(command), folder_.path());
     ASSERT_LT(result.exit_code, 2) << result.err;
   }
 
@@ -239,14 +239,14 @@ TEST_F(Merging, TakesNoNameForNoFolder) {
 TEST_F(Merging, LeavesAShardsFileOutOfAWholeExploration) {
   explore_shard({}, 1, 1);
   EXPECT_TRUE(fs::exists(folder_.path() / "s1/shard.json"));
-  run("explore --out s1", folder_.path());
+  run("explore --parts full --out s1", folder_.path());
   EXPECT_FALSE(fs::exists(folder_.path() / "s1/shard.json"));
 }
 
 // How near others come is for the whole to say: to know it, all that is left out would be made.
 TEST_F(Merging, AShardThatConstraintsOnPartsLeaveNothingOfSaysSo) {
   const ProcessResult result =
-      run("explore --fingers 4 --constraint sheaths<=1 --shard 5/5", folder_.path());
+      run("explore --fingers 4 --parts full --constraint sheaths<=1 --shard 5/5", folder_.path());
   EXPECT_EQ(result.exit_code, 1) << result.err;
   EXPECT_TRUE(has(result.out,
                   "Of the 228 that are actuated 228 fail by their parts alone; the other 0 "

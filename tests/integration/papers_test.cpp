@@ -26,8 +26,9 @@ std::vector<Arguments> tables_of_a_column() {
   const std::string list = "rank,name,routing,uniformity_mean,efficiency_mean,sheaths";
   return {{"rank", "--catalog", "--columns", list},
           {"rank", "--catalog"},
-          {"explore", "--fingers", "5", "--columns", "rank,routing,uniformity_mean,travel,sheaths"},
-          {"explore", "--fingers", "4"},
+          {"explore", "--fingers", "5", "--parts", "full", "--columns",
+           "rank,routing,uniformity_mean,travel,sheaths"},
+          {"explore", "--fingers", "4", "--parts", "full"},
           {"size", "M-1-P-2-P-3-M", "--target", "1=2,others=1", "--vary", "sheath_angle=1..12",
            "--nominal", "--columns", "dimension,unit,sized,less,more,together_less,together_more"}};
 }

@@ -133,9 +133,12 @@ TEST(Size, SaysWhereItsMotorIsNotEnoughForWhatWasSized) {
   };
   const std::string longer = out("arm_mm=10..14");
   EXPECT_TRUE(has(longer, "\nThe motor's stroke of 90 mm is not enough as it is sized: "));
-  EXPECT_FALSE(has(longer, "The motor's force of"));
+  EXPECT_TRUE(has(longer, "; by the latter the motor's 80 N is "));
   EXPECT_TRUE(has(longer, "\nstroke                 mm "));
-  EXPECT_FALSE(has(out("arm_mm=9..10"), "is not enough"));
+  const std::string shorter = out("arm_mm=9..10");
+  EXPECT_FALSE(has(shorter, "The motor's stroke of"));
+  // Nominally 69.2 N would do.
+  EXPECT_TRUE(has(shorter, "; by the latter the motor's 80 N is not enough, "));
 }
 
 TEST(Size, OfTheBestOfAnExplorationRanksThemAgain) {

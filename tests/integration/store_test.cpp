@@ -169,7 +169,7 @@ TEST_F(Stored, RefusesWhatIsNoStore) {
   for (const std::string other : {"2", "7"}) {
     execute(store(), "PRAGMA user_version = " + other);
     expect_bad(explore({}), start + "it is a store of version " + other +
-                                "; expected version 3, which this program reads");
+                                "; expected version 4, which this program reads");
   }
   expect_bad(run("explore --store no/s.db"),
              "--store: no/s.db: there is no folder 'no'; expected one that is there");
@@ -340,7 +340,7 @@ TEST_F(Stored, RefusesAFileThatCannotBeWritten) {
   // Where the checkout lies in a folder of root's alone, nobody else can run the program; that such
   // a file is refused shows where the tests are not run as root, too.
   if (as_usual("--version").exit_code != 0) GTEST_SKIP() << "root cannot run it as somebody else";
-  const ProcessResult result = as_usual("explore --fingers 4 --out out --store s.db");
+  const ProcessResult result = as_usual("explore --fingers 4 --parts full --out out --store s.db");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_TRUE(has(result.err, "--store: s.db: it cannot be written ("));
   const ProcessResult ranked = as_usual("rank --store s.db");

@@ -226,7 +226,7 @@ TEST_F(Stored, ShardsInStoresMergeToTheWhole) {
   const auto shard = [&](const std::string& index, const std::string& file) {
     Arguments command{"explore", "--out", "o" + index, "--shard", index + "/3", "--store", file};
     command.insert(command.end(), arguments.begin(), arguments.end());
-    ASSERT_EQ(run(command).exit_code, 0);
+    ASSERT_EQ(run(with_full_parts(command)).exit_code, 0);
   };
   shard("1", "a.db");
   shard("2", "b.db");

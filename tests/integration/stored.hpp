@@ -56,7 +56,7 @@ class Stored : public ::testing::Test {
     Arguments command("explore --out out --store s.db --store-every 0");
     command.insert(command.end(), arguments.begin(), arguments.end());
     command.insert(command.end(), besides.begin(), besides.end());
-    return run(command, std::move(options));
+    return run(with_full_parts(command), std::move(options));
   }
 
   // Of its first shard; 0 if nothing has been saved.

@@ -52,7 +52,7 @@ std::size_t widest_line(const std::string& text) {
 std::vector<Arguments> commands() {
   return {{"rank", "--catalog"},
           {"rank", "--catalog", "--uncertainty", "--draws", "5", "--margin"},
-          {"explore", "--fingers", "4"},
+          {"explore", "--fingers", "4", "--parts", "full"},
           {"show", "M-1b-P-2b-P-3-T-4-M"},
           {"show", "TR5", "--model", std::string(REEVE_CATALOG_DIR) + "/model/example.toml"},
           {"count"},

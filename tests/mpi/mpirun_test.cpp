@@ -86,7 +86,7 @@ TEST_P(SharedExploration, GivesTheBytesOfOneProcess) {
   for (const int size : GetParam().sizes) {
     SCOPED_TRACE(size);
     fs::remove_all(out());
-    const ProcessResult result = together(size, arguments);
+    const ProcessResult result = together(size, with_full_parts(arguments));
     EXPECT_EQ(result.exit_code, whole.result.exit_code) << result.err;
     // Of another exit code mpirun has something to say.
     if (result.exit_code == 0) {
@@ -114,7 +114,7 @@ TEST_F(Mpirun, SaysABadOptionOnce) {
   for (const auto& [arguments, message] :
        {std::pair<Arguments, std::string>{
             {"explore", "--fingers", "none"},
-            "--fingers: Value none not in range 1 to 64; see reeve --help"},
+            "--fingers: Value none not in range 1 to 64; see reeve explore --help"},
         {{"explore", "--hardware", "h.toml"}, "h.toml: cannot be read: No such file or directory"},
         {{"explore", "--store", "s.db", "--keep", "all"},
          "--keep 'all': expected best under mpirun, where every design would pass through one "
@@ -142,7 +142,7 @@ TEST_F(Mpirun, SaysTheBadOptionOfOneThatFollows) {
   EXPECT_FALSE(result.timed_out);
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("reeve: rank 1 of 3, on "), std::string::npos) << result.err;
-  EXPECT_NE(result.err.find(": The following argument was not expected: --bogus; see reeve --help"),
+  EXPECT_NE(result.err.find(": explore: unexpected --bogus; see reeve explore --help"),
             std::string::npos)
       << result.err;
 }
@@ -193,9 +193,9 @@ TEST_F(Mpirun, AloneRunsAnything) {
 
 // Its store then goes on, with as many processes as there are.
 TEST_F(Mpirun, LosesAProcessWithoutLosingWhatWasKept) {
-  Arguments arguments{"explore", "--fingers", "6",   "--top",   "50",   "--threads",
-                      "1",       "--out",     "out", "--store", "s.db", "--store-every",
-                      "0"};
+  Arguments arguments{"explore", "--fingers",     "6", "--parts", "full", "--top",
+                      "50",      "--threads",     "1", "--out",   "out",  "--store",
+                      "s.db",    "--store-every", "0"};
   ProcessOptions options;
   options.disturbance =
       Disturbance{0, [&](const RunningProcess& mpirun) {

@@ -43,22 +43,25 @@ struct PlantedLaw {
   double phi;       // but for the load
   double exponent;  // gamma
   double force_N;
+  double slope = 0;  // of a force that grows with T_high, above the onset
+  double onset_N = 0;
 
   // "Less F" is T_low = T_high e^{-phi} - F and T_high = (T_low + F) e^{phi}. As an exponent, the
   // first ends at once where T_high is given from outside; only the second is stable where T_low
   // is, and always, but slow where T_low is far below F.
   double from_high(double high_N) const {
     if (high_N <= 0) return exponent > 0 || force_N > 0 ? slack_phi : phi;
-    const double share = std::exp(-loaded(high_N)) - force_N / high_N;
+    const double share = std::exp(-loaded(high_N)) - force(high_N) / high_N;
     return share > 0 ? std::min(slack_phi, -std::log(share)) : slack_phi;
   }
 
   double from_low(double high_N, double low_N) const {
-    if (force_N == 0 || low_N <= 0) return from_high(high_N);
-    return std::min(slack_phi, loaded(high_N) + std::log1p(force_N / low_N));
+    if (force(high_N) == 0 || low_N <= 0) return from_high(high_N);
+    return std::min(slack_phi, loaded(high_N) + std::log1p(force(high_N) / low_N));
   }
 
  private:
+  double force(double high_N) const { return force_N + slope * std::max(0.0, high_N - onset_N); }
   double loaded(double high_N) const { return phi * std::pow(high_N / 10, -exponent); }
 };
 
@@ -71,7 +74,9 @@ double sheath_change(const Nature& nature, const ContactName& name) {
 PlantedLaw law_of(const std::string& kind, const ContactName& name, const Nature& nature,
                   double condition) {
   const double half_turn = std::numbers::pi;
-  if (kind == "bearing") return {nature.bearing_mu * half_turn, 0, nature.drag_force_N};
+  if (kind == "bearing")
+    return {nature.bearing_mu * half_turn, 0, nature.drag_force_N, nature.drag_slope,
+            nature.drag_onset_N};
   const double mu_theta = kind == "tube"
                               ? nature.tube_mu * half_turn
                               : nature.sheath_mu * (2 * half_turn + sheath_change(nature, name));

@@ -7,7 +7,7 @@
 //                    w(v) = 1 + beta ln(v / 10 mm/s)     w(N) = 1 + beta (1 - e^{-N/N0})
 //                    w(t) = 1 - k (t - 20 degC)          a factor below 0 is 0
 //                    and w = 1 + h releasing
-//     bearing        phi = mu theta,                                          less F_d
+//     bearing        phi = mu theta,                less F_d + c max(0, T_high - T_0)
 //
 // "less F": T_low = T_high e^{-phi} - F, not below 0. All of it is an exponent that depends on
 // T_high, phi' = -ln(e^{-phi} - F / T_high), and the tensions are a fixed point: solved by the
@@ -60,6 +60,7 @@ struct Nature {
   double release_change = 0;                // h
   double bending_force_N = 0;               // F_b
   double drag_force_N = 0;                  // F_d
+  double drag_slope = 0, drag_onset_N = 0;  // c and T_0
   std::map<int, double> sheath_change_rad;  // by the finger that a sheath leads to
   std::vector<WrongGrasp> wrong_grasps;
   std::vector<SeizedContact> seized;  // at most one for a routing

@@ -121,8 +121,8 @@ FingerHardware random_finger_hardware(Dice& dice, int number) {
   return finger;
 }
 
-ContactHardware random_contact_hardware(Dice& dice, const Network& network) {
-  const TendonSpan& tendon = dice.pick(network.tendons);
+ContactHardware random_contact_hardware(Dice& dice, const Network& network,
+                                        const TendonSpan& tendon) {
   const int contacts = static_cast<int>(tendon.contacts);
   const auto k = static_cast<std::size_t>(dice.integer(0, contacts - 1));
   const auto [left, right] = ends_of(tendon, k);
@@ -147,7 +147,11 @@ Hardware random_hardware(Dice& dice, const Network& network) {
   for (int number = 1; number <= network.fingers; ++number) {
     if (dice.chance(0.4)) hardware.fingers.push_back(random_finger_hardware(dice, number));
   }
-  while (dice.chance(0.4)) hardware.contacts.push_back(random_contact_hardware(dice, network));
+  while (dice.chance(0.4)) {
+    const TendonSpan& tendon = dice.pick(network.tendons);
+    if (tendon.contacts == 0) continue;
+    hardware.contacts.push_back(random_contact_hardware(dice, network, tendon));
+  }
   return hardware;
 }
 

@@ -1,0 +1,24 @@
+// Whether this program is instrumented. A sanitizer's runtime has to be loaded before everything
+// else, has an allocator of its own, and takes several times as long: rates and sizes, which do not
+// hang on it, are told by the release build.
+#pragma once
+
+#include <gtest/gtest.h>
+
+namespace reeve::testing {
+
+inline bool has_sanitizer() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return true;
+#else
+  return false;
+#endif
+}
+
+}  // namespace reeve::testing
+
+#define SKIP_UNDER_SANITIZERS()                   \
+  if (::reeve::testing::has_sanitizer()) {        \
+    GTEST_SKIP() << "the release build tells it"; \
+  }                                               \
+  static_assert(true)
