@@ -409,6 +409,10 @@ const Law& interned(const Term& term, bool is_crossing_free) {
 
 const Cause& law(const Term& term) { return interned(term, false); }
 
+bool has_crossing(const Term& term) {
+  return term.form == Form::linear || term.form == Form::log || term.form == Form::product;
+}
+
 const Cause& law_with_free_crossing(const Term& term) { return interned(term, true); }
 
 Effect with_crossing_held(const Effect& effect) {

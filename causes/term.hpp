@@ -127,7 +127,9 @@ const Cause& law(const Term& term);
 const Term* term_of(const Cause& cause);
 
 // The same law with x0 (and y0 of a product) among its parameters, behind the others: for a search
-// that does not know where the law is zero. Only of linear, log and product.
+// that does not know where the law is zero. Only of those that have one number for it: linear, log
+// and product.
+bool has_crossing(const Term& term);
 const Cause& law_with_free_crossing(const Term& term);
 // Its effect as one of a plain law, whose term holds the crossing; any other effect as it is.
 Effect with_crossing_held(const Effect& effect);

@@ -13,7 +13,6 @@ namespace {
 
 // In parts of the box's sides.
 constexpr double fine = 1e-9;
-constexpr double smooth = 1e-7;
 constexpr double first_step = 0.02;
 constexpr double wide_step = 0.25;
 
@@ -153,9 +152,9 @@ Minimum descend(const Function& function, const std::vector<Interval>& box,
 }
 
 Minimum refine(const Function& function, const std::vector<Interval>& box,
-               const std::vector<double>& start, int evaluations) {
+               const std::vector<double>& start, int evaluations, double tolerance) {
   BoxProblem problem(function, box);
-  return from_start(problem, start, nlopt::LN_BOBYQA, evaluations, smooth, first_step);
+  return from_start(problem, start, nlopt::LN_BOBYQA, evaluations, tolerance, first_step);
 }
 
 }  // namespace reeve::numerics

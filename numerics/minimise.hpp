@@ -38,6 +38,7 @@ Minimum descend(const std::function<double(const std::vector<double>&)>& functio
 // Refines a starting point in the box by quadratic models (BOBYQA, M. J. D. Powell, 2009): for
 // smooth functions. The least value that was seen; otherwise as above.
 Minimum refine(const std::function<double(const std::vector<double>&)>& function,
-               const std::vector<Interval>& box, const std::vector<double>& start, int evaluations);
+               const std::vector<Interval>& box, const std::vector<double>& start, int evaluations,
+               double tolerance = 1e-7);
 
 }  // namespace reeve::numerics

@@ -141,7 +141,8 @@ MountingScatter believed(MountingScatter scatter) {
 MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
                                  const MountingModes& modes, std::optional<double> given) {
   constexpr int evaluations = 60;
-  constexpr double least = 1e-3;  // of the assumed one
+  constexpr double finely = 1e-3;  // of the logarithms' range; readings tell far less
+  constexpr double least = 1e-3;   // of the assumed one
   constexpr double most = 20;
   MountingScatter result;
   result.given = given.has_value();
@@ -175,7 +176,7 @@ MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
           return surprise;
         },
         box, std::vector<double>(free.size(), 0.0),
-        evaluations * static_cast<int>(free.size() + 1));
+        evaluations * static_cast<int>(free.size() + 1), finely);
     result.relative = at_logarithms(best.at);
   }
   result.told_by = told_by(equations, result.relative);

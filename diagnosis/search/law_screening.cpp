@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -31,9 +32,10 @@ constexpr double price_of_place = 3;
 constexpr double price_of_apart = 4;
 constexpr double price_of_part = 1;
 
-constexpr std::size_t enough_values = 8;  // for a wave
-constexpr int most_waves = 28;            // half periods over the range
-constexpr std::size_t most_bent = 8;      // sites and covariates whose bends are looked at
+constexpr std::size_t enough_values = 8;     // for a wave
+constexpr int most_waves = 28;               // half periods over the range
+constexpr std::size_t waves_of_a_lever = 8;  // that are looked at closely
+constexpr std::size_t most_bent = 8;         // sites and covariates whose bends are looked at
 constexpr std::size_t most_knots = 12;
 
 }  // namespace
@@ -68,6 +70,9 @@ class LawFamilies {
       const std::size_t group = screening.group_of_row_[row];
       if (group < screening.groups_.size()) groups_.insert(group);
     }
+    pulled_back_ = residuals;
+    whiten(problem.shared, pulled_back_);
+    take_out_scales(problem, at, pulled_back_);
   }
 
   std::vector<ScreenedLaw> run(std::size_t most) {
@@ -167,9 +172,10 @@ class LawFamilies {
 
   // Columns of a lever times laws of these values.
   MatrixXd columns(const Lever& lever, const Eigen::Ref<const MatrixXd>& values) const {
-    const VectorXd by_value =
-        VectorXd(lever.by_value_N(cells_)).cwiseQuotient(problem_.deviation_N);
-    return seen(by_value.asDiagonal() * values);
+    return seen(in_noise(lever).asDiagonal() * values);
+  }
+  VectorXd in_noise(const Lever& lever) const {
+    return VectorXd(lever.by_value_N(cells_)).cwiseQuotient(problem_.deviation_N);
   }
 
   MatrixXd seen(MatrixXd columns) const {
@@ -310,12 +316,11 @@ class LawFamilies {
     for (std::size_t c = 0; c < count; ++c) {
       laws.push_back({Form::quadratic, c, 0, covariate(c).covariate.middle, false});
     }
-    first_wave_ = laws.size();
-    add_waves(laws);
     first_product_ = laws.size();
     add_products();
     laws.insert(laws.end(), products_.begin(), products_.end());
     values_ = values(laws);
+    list_waves();
   }
 
   void screen_straight(std::size_t l) {
@@ -323,7 +328,7 @@ class LawFamilies {
     const std::size_t count = screening_.covariates_.size();
     const bool is_whole = lever.breadth == Breadth::whole && !lever.by_load;
     const MatrixXd seen = columns(
-        lever, values_.leftCols(is_whole ? values_.cols() : static_cast<Index>(first_wave_)));
+        lever, values_.leftCols(is_whole ? values_.cols() : static_cast<Index>(first_product_)));
 
     if (lever.by_load) {
       keep_load(l, seen);
@@ -345,10 +350,7 @@ class LawFamilies {
           family(seen, {static_cast<Index>(1 + c), static_cast<Index>(first_quadratic_ + c)}));
     }
     if (!is_whole) return;
-    for (std::size_t w = 0; w < waves_.size(); ++w) {
-      const auto sine = static_cast<Index>(first_wave_ + 2 * w);
-      keep_wave(l, waves_[w].first, waves_[w].second, family(seen, {sine, sine + 1}));
-    }
+    screen_waves(l);
     for (std::size_t p = 0; p < products_.size(); ++p) {
       // In proportion to the motor tension an offset is a gain, which has laws of its own.
       const bool with_motor =
@@ -379,7 +381,9 @@ class LawFamilies {
     return x.seen.low > 0 && x.seen.high > wide * x.seen.low && !covariate(c).is_motor;
   }
 
-  void add_waves(std::vector<RowLaw>& laws) {
+  // Sine and cosine of each period, side by side.
+  void list_waves() {
+    std::vector<RowLaw> laws;
     for (std::size_t c = 0; c < screening_.covariates_.size(); ++c) {
       const auto& of = covariate(c);
       if (of.distinct.size() < enough_values || of.is_motor || is_of_noise(c)) continue;
@@ -390,6 +394,41 @@ class LawFamilies {
         laws.push_back({Form::sine, c, 0, period, false});
         laws.push_back({Form::sine, c, 0, period, true});
       }
+    }
+    wave_values_ = values(laws);
+    wave_squares_ = wave_values_.cwiseAbs2();
+  }
+
+  // Waves are most of all laws. What all of them do along the residuals takes one product; the few
+  // that promise most beside their raw lengths are then seen as all other laws are.
+  void screen_waves(std::size_t l) {
+    if (waves_.empty()) return;
+    const Lever& lever = screening_.levers_[l];
+    const VectorXd by_value = in_noise(lever);
+    const VectorXd along = wave_values_.transpose() * by_value.cwiseProduct(pulled_back_);
+    const VectorXd squares = wave_squares_.transpose() * by_value.cwiseAbs2();
+    constexpr double tiny = std::numeric_limits<double>::min();
+    std::vector<std::pair<double, std::size_t>> promises;
+    for (std::size_t w = 0; w < waves_.size(); ++w) {
+      const auto sine = static_cast<Index>(2 * w);
+      promises.emplace_back(
+          along[sine] * along[sine] / std::max(squares[sine], tiny) +
+              along[sine + 1] * along[sine + 1] / std::max(squares[sine + 1], tiny),
+          w);
+    }
+    const std::size_t few = std::min(waves_of_a_lever, promises.size());
+    std::partial_sort(promises.begin(), promises.begin() + static_cast<std::ptrdiff_t>(few),
+                      promises.end(), std::greater<>());
+    MatrixXd chosen(wave_values_.rows(), static_cast<Index>(2 * few));
+    for (std::size_t i = 0; i < few; ++i) {
+      chosen.middleCols(static_cast<Index>(2 * i), 2) =
+          wave_values_.middleCols(static_cast<Index>(2 * promises[i].second), 2);
+    }
+    const MatrixXd seen = columns(lever, chosen);
+    for (std::size_t i = 0; i < few; ++i) {
+      const auto& [c, period] = waves_[promises[i].second];
+      const auto sine = static_cast<Index>(2 * i);
+      keep_wave(l, c, period, family(seen, {sine, sine + 1}));
     }
   }
 
@@ -634,11 +673,12 @@ class LawFamilies {
   std::set<std::size_t> groups_;
   std::vector<std::size_t> log_column_;  // of each covariate; 0 if it has none
   std::size_t first_quadratic_ = 0;
-  std::size_t first_wave_ = 0;
   std::size_t first_product_ = 0;
   std::vector<std::pair<std::size_t, double>> waves_;  // covariate and period
   std::vector<RowLaw> products_;
-  MatrixXd values_;  // of the laws of all levers
+  MatrixXd values_;  // of the laws of all levers, and of products
+  MatrixXd wave_values_, wave_squares_;
+  VectorXd pulled_back_;  // the residuals, as raw columns meet them
   std::vector<Found> found_;
   std::vector<Bend> bends_;
 };

@@ -15,6 +15,8 @@ namespace {
 // Independent readings that each cause takes, and more causes than anybody would believe.
 constexpr double readings_of_a_term = 12;
 constexpr double most_terms = 6;
+// Nats by which another term has to be likelier to take a place.
+constexpr double clearly_likelier = 0.5;
 
 std::size_t carried_terms(const Dataset& dataset) {
   const double carried = std::floor(dataset.degrees_of_freedom() / readings_of_a_term);
@@ -387,6 +389,7 @@ class Searching {
       settle(Model(ways[i].model));
       if (now_.evidence >= before.evidence + least_evidence) {
         look_again({ways.begin() + static_cast<std::ptrdiff_t>(i), ways.end()}, rise);
+        free_crossing();
         return true;
       }
       result_.accepted.pop_back();
@@ -415,6 +418,30 @@ class Searching {
     }
   }
 
+  // Where a law is zero is fitted again, as its readings are seen beside it: before, they were seen
+  // with the scatter that it leaves unexplained, and further terms would explain what that cost.
+  void free_crossing() {
+    const AcceptedTerm own = result_.accepted.back();
+    const Term* term = term_of(*own.effect.cause);
+    if (term == nullptr || !causes::has_crossing(*term)) return;
+    Effect free{&causes::law_with_free_crossing(*term), {}, own.effect.values};
+    free.values.push_back(term->x.middle);
+    if (term->form == Form::product) free.values.push_back(term->y.middle);
+    const Extended with = extended(without(now_.model, place(now_.model, own.effect)), free);
+    const Fit best = fit(now_.likelihood.problem, with.model);
+    if (!has_tensions(best)) return;
+    const Effect held = causes::with_crossing_held(best.model.effects[with.effect]);
+    Model moved = without(best.model, with.effect);
+    add_effect(moved, held);
+    result_.accepted.back() = {held, own.price, free.values.size(), 0, 1, {}, {}};
+    const Scored freed = scored(std::move(moved));
+    if (freed.evidence > now_.evidence + clearly_likelier) {
+      settle(freed.model);
+    } else {
+      result_.accepted.back() = own;
+    }
+  }
+
   // The model without the accepted cause, fitted, and its evidence with one term less.
   Scored without_cause(std::size_t c) const {
     Model model = without(now_.model, place(now_.model, result_.accepted[c].effect));
@@ -440,7 +467,6 @@ class Searching {
 
   // Puts a likelier term in its place, and notes those that are hardly less likely.
   void defend(std::size_t c) {
-    constexpr double clearly = 0.5;
     const Scored less = without_cause(c);
     const AcceptedTerm own = result_.accepted[c];
     result_.accepted.erase(result_.accepted.begin() + static_cast<std::ptrdiff_t>(c));
@@ -449,7 +475,7 @@ class Searching {
     result_.accepted.insert(result_.accepted.begin() + static_cast<std::ptrdiff_t>(c), own);
     if (ways.empty()) return;
     double evidence = now_.evidence;
-    if (ways.front().evidence > evidence + clearly &&
+    if (ways.front().evidence > evidence + clearly_likelier &&
         !same_effect(ways.front().term.effect, own.effect)) {
       result_.accepted[c] = ways.front().term;
       evidence = ways.front().evidence;
@@ -535,10 +561,11 @@ std::pair<std::vector<Candidate>, std::vector<Candidate>> parted(
 bool is_kin(const Effect& a, const Effect& b) {
   const Term* x = term_of(*a.cause);
   const Term* y = term_of(*b.cause);
-  return x != nullptr && y != nullptr && x->target == y->target &&
-         causes::site_name(x->site) == causes::site_name(y->site) &&
-         covariate_name(x->x) == covariate_name(y->x) &&
-         covariate_name(x->y) == covariate_name(y->y);
+  if (x == nullptr || y == nullptr || x->target != y->target) return false;
+  if (causes::site_name(x->site) != causes::site_name(y->site)) return false;
+  return x->form == Form::constant || y->form == Form::constant ||
+         (covariate_name(x->x) == covariate_name(y->x) &&
+          covariate_name(x->y) == covariate_name(y->y));
 }
 
 double Explanation::mounting_degrees() const {

@@ -47,7 +47,8 @@ struct TermSearchOptions {
   std::optional<double> mounting_scatter;
 };
 
-// Whether two laws are of one site and covariate, whatever their form.
+// Whether two laws are of one site and covariate, whatever their form; a constant one is of every
+// covariate.
 bool is_kin(const Effect& a, const Effect& b);
 
 struct Explanation {
