@@ -156,14 +156,13 @@ std::vector<FoundInterval> intervals_of(const Planted& planted, const DiagnosisR
   return intervals;
 }
 
-// On the readings that the diagnosis held out.
+// Of all readings, as folds leave out each of them once.
 double possible_gain(const Planted& planted, const MeasuredData& data,
                      const DiagnosisResult& result) {
   std::map<std::pair<std::size_t, std::string>, const testing::PlantedCell*> cells;
   for (const auto& cell : planted.cells) cells[{cell.row, cell.channel}] = &cell;
   double nominal = 0, truth = 0;
   for (const ComparedCell& compared : result.cells) {
-    if (!compared.held_out) continue;
     const auto& cell =
         *cells.at({compared.cell.reading, data.channels[compared.cell.channel].name});
     nominal += std::pow(cell.reading_N - cell.nominal_N, 2);

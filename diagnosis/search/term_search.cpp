@@ -204,19 +204,22 @@ class Searching {
   }
 
   // How the current model's readings are seen: as is likeliest, and with mountings that hardly
-  // differ, so that a term can explain what they would.
+  // differ and with a motor that does not scatter, so that a term can explain what they would.
   std::vector<Likelihood> views(const Scored& from) const {
-    if (effort_.level && effort_.level->mounting < from.likelihood.level.mounting) {
-      return {likelihood(dataset_, result_.shape, forecast(dataset_, from.model),
-                         {effort_.level->mounting, from.likelihood.level.motor})};
+    const ScatterLevel& own = from.likelihood.level;
+    const auto seen_at = [&](const ScatterLevel& level) {
+      return likelihood(dataset_, result_.shape, forecast(dataset_, from.model), level);
+    };
+    if (effort_.level) {
+      const ScatterLevel level{std::min(own.mounting, effort_.level->mounting),
+                               std::min(own.motor, effort_.level->motor)};
+      const bool is_own = level.mounting == own.mounting && level.motor == own.motor;
+      return {is_own ? from.likelihood : seen_at(level)};
     }
     std::vector<Likelihood> result{from.likelihood};
-    if (effort_.level) return result;
     const double least = result_.shape.levels.back().mounting;
-    if (from.likelihood.level.mounting > least) {
-      result.push_back(likelihood(dataset_, result_.shape, forecast(dataset_, from.model),
-                                  {least, from.likelihood.level.motor}));
-    }
+    if (own.mounting > least) result.push_back(seen_at({least, own.motor}));
+    if (own.motor > 0) result.push_back(seen_at({least, 0}));
     return result;
   }
 

@@ -27,6 +27,7 @@ constexpr double phi_tube = 0.18 * std::numbers::pi;
 struct Row {
   int run = 0;
   double supply_V = 5;
+  double humidity_pct = 50;
 };
 
 // What a strand's sensor reads over what it should.
@@ -37,9 +38,9 @@ std::string readings(const Factor& factor) {
   std::uint64_t drawn = 0;
   for (int run = 0; run < 12; ++run) {
     for (const double motor_N : {8.0, 12.0, 18.0, 27.0, 35.0, 50.0}) {
-      const Row row{run, 4.5 + uniform(1, 2, drawn)};
-      text += fmt::format("r{},M-1-T-2-F,1,{},{:.2f},{:.4f}", run, motor_N,
-                          20 + 60 * uniform(1, 3, drawn), row.supply_V);
+      const Row row{run, 4.5 + uniform(1, 2, drawn), 20 + 60 * uniform(1, 3, drawn)};
+      text += fmt::format("r{},M-1-T-2-F,1,{},{:.2f},{:.4f}", run, motor_N, row.humidity_pct,
+                          row.supply_V);
       double tension_N = motor_N * std::exp(-phi_sheath);
       for (int strand = 0; strand < 4; ++strand) {
         const double read_N = tension_N * factor(row, strand) * (1 + 0.01 * normal(1, 4, drawn++));
@@ -79,6 +80,23 @@ TEST(TermSearch, FindsTheSiteTheCovariateAndTheSizeOfALaw) {
   EXPECT_EQ(*law.folds, 1);
   ASSERT_TRUE(result.held_out.has_value());
   EXPECT_LT(result.held_out->rms_after_N, result.held_out->rms_before_N);
+}
+
+// A sheath passes its friction on to all strands. Far from small, so that what it does is far from
+// proportional to it.
+double as_sheath_with_both(const Row& row, int) {
+  return std::exp(-phi_sheath * 0.03 * (row.humidity_pct - 35) * (row.supply_V - 4.7));
+}
+
+TEST(TermSearch, FindsWhereALargeProductOfTwoColumnsIsZero) {
+  const DiagnosisResult result = diagnosed(readings(as_sheath_with_both));
+  ASSERT_EQ(result.causes.size(), 1U);
+  const Term* term = term_of(*result.causes.front().effect.cause);
+  ASSERT_NE(term, nullptr);
+  EXPECT_EQ(term->form, causes::Form::product);
+  const bool supply_first = covariate_name(term->x) == "supply_V";
+  EXPECT_NEAR((supply_first ? term->y : term->x).middle, 35, 0.2);
+  EXPECT_NEAR((supply_first ? term->x : term->y).middle, 4.7, 0.01);
 }
 
 TEST(TermSearch, FindsNothingInNoiseAlone) {
