@@ -91,6 +91,7 @@ TEST(Formats, AreThoseOfTheHelp) {
                                                         {"explore", "{table,json,markdown,latex}"},
                                                         {"count", "{table,json,markdown,latex}"},
                                                         {"check", "{table,json,markdown,latex}"},
+                                                        {"catalogue", "{table,json,markdown,latex}"},
                                                         {"compare", "{table,json,markdown,latex}"},
                                                         {"diagnose", "{table,json,markdown,latex}"},
                                                         {"simulate", "{table,json,markdown,latex}"},
