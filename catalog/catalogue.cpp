@@ -184,9 +184,8 @@ std::vector<Routing> Catalogue::sizes_of(std::string_view name) const {
   if (entry == nullptr && mechanism == nullptr) return {};
   std::vector<Routing> sizes = entry != nullptr ? entry->like : mechanism->like;
   sizes.push_back(*find_routing(name));
-  std::sort(sizes.begin(), sizes.end(), [](const Routing& a, const Routing& b) {
-    return finger_count(a) < finger_count(b);
-  });
+  std::sort(sizes.begin(), sizes.end(),
+            [](const Routing& a, const Routing& b) { return finger_count(a) < finger_count(b); });
   return sizes;
 }
 

@@ -79,21 +79,22 @@ Routing read_routing(const std::string& text, const Catalogue& catalogue) {
 Routing read_like(const std::string& name, int fingers, const Catalogue& catalogue) {
   const std::vector<Routing> sizes = catalogue.sizes_of(name);
   if (sizes.empty()) {
-    throw InputError({.what = "--like",
-                      .value = name,
-                      .expected = fmt::format("a name of the catalogue, which reeve catalogue lists{}",
-                                              did_you_mean(name, routing_names(catalogue)))});
+    throw InputError(
+        {.what = "--like",
+         .value = name,
+         .expected = fmt::format("a name of the catalogue, which reeve catalogue lists{}",
+                                 did_you_mean(name, routing_names(catalogue)))});
   }
   std::vector<int> known;
   for (const Routing& routing : sizes) {
     if (finger_count(routing) == fingers) return routing;
     known.push_back(finger_count(routing));
   }
-  throw InputError({.what = "--fingers",
-                    .value = std::to_string(fingers),
-                    .expected = fmt::format("{}{}: the catalogue has {} for no other number",
-                                            known.size() > 1 ? "one of " : "",
-                                            fmt::join(known, ", "), name)});
+  throw InputError(
+      {.what = "--fingers",
+       .value = std::to_string(fingers),
+       .expected = fmt::format("{}{}: the catalogue has {} for no other number",
+                               known.size() > 1 ? "one of " : "", fmt::join(known, ", "), name)});
 }
 
 Routing read_actuated_routing(const std::string& text, const Catalogue& catalogue) {

@@ -93,8 +93,8 @@ struct FamilyOption {
   CLI::Option* option_ = nullptr;
 };
 
-// Drawings are SVG, whatever the file is called: a name that ends in .pdf or .png is refused. Throws
-// InputError.
+// Drawings are SVG, whatever the file is called: a name that ends in .pdf or .png is refused.
+// Throws InputError.
 void require_svg(const std::string& file, const std::string& option);
 
 // A drawing besides the result on stdout.

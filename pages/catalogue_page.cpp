@@ -18,10 +18,14 @@ std::string numbers_text(const ListedMechanism& mechanism) {
 
 Json mechanism_json(const ListedMechanism& mechanism, const std::string& svg) {
   const std::string sizes = mechanism.sizes.size() > 1 ? sizes_text(mechanism) : "";
-  return {{"id", "mechanism-" + mechanism.name}, {"name", mechanism.name},
-          {"word", mechanism.word},              {"title", mechanism.title},
-          {"source", mechanism.source},          {"numbers", numbers_text(mechanism)},
-          {"sizes", sizes},                      {"svg", svg}};
+  return {{"id", "mechanism-" + mechanism.name},
+          {"name", mechanism.name},
+          {"word", mechanism.word},
+          {"title", mechanism.title},
+          {"source", mechanism.source},
+          {"numbers", numbers_text(mechanism)},
+          {"sizes", sizes},
+          {"svg", svg}};
 }
 
 }  // namespace
@@ -40,9 +44,9 @@ PageFiles catalogue_page(const std::vector<ListedMechanism>& list, const std::st
     const std::string svg = schematic_svg(schematic(expand(mechanism.routing), mechanism.name),
                                           "drawing-" + mechanism.name);
     families.back()["mechanisms"].push_back(mechanism_json(mechanism, svg));
-    page.figures.push_back({stems[i], svg,
-                            fmt::format("{}: {} {}\n", mechanism.name, mechanism.word,
-                                        mechanism.title)});
+    page.figures.push_back(
+        {stems[i], svg,
+         fmt::format("{}: {} {}\n", mechanism.name, mechanism.word, mechanism.title)});
   }
   const std::string body =
       render("catalogue.mustache",

@@ -10,8 +10,15 @@ namespace {
 
 template <typename Entry>
 ListedMechanism listed(const Catalogue& catalogue, const Entry& entry, const std::string& family) {
-  return {family,      entry.name,   entry.word, entry.routing, catalogue.sizes_of(entry.name),
-          entry.title, entry.source, 0,          0};
+  return {family,
+          entry.name,
+          entry.word,
+          entry.routing,
+          catalogue.sizes_of(entry.name),
+          entry.title,
+          entry.source,
+          0,
+          0};
 }
 
 void count_numbers(const CheckReport& report, ListedMechanism& mechanism) {

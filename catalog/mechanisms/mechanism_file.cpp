@@ -366,8 +366,7 @@ void require_no_numbers(const TomlNode& file) {
 
 Mechanism read_mechanism(const TomlNode& file, const std::string& family) {
   file.allow_only({"name", "word", "title", "source", "access", "topology", "notes", "like",
-                   "hardware",
-                   "rig", "published", "misprint"});
+                   "hardware", "rig", "published", "misprint"});
   Mechanism mechanism;
   mechanism.family = family;
   mechanism.file = *file.file;

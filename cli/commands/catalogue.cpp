@@ -29,8 +29,9 @@ void add_options(CLI::App& command, CatalogueFlags& flags) {
                       "One family of the catalogue alone: paper, or a folder of families/");
   command.add_option("--fingers", flags.fingers, "Only those of so many fingers")
       ->check(CLI::Range(1, max_fingers));
-  flags.out.add_to(command, "a page with a drawing of each, index.html, with catalogue.json and "
-                            "figures/");
+  flags.out.add_to(command,
+                   "a page with a drawing of each, index.html, with catalogue.json and "
+                   "figures/");
   flags.format.add_to(command, with_tables({"json"}));
 }
 

@@ -56,8 +56,7 @@ Routing asked_routing(const ShowFlags& flags, const Catalogue& catalogue) {
 ShownRouting report(const ShowFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
   const Routing routing = asked_routing(flags, catalogue);
-  const Mechanism* mechanism =
-      catalogue.find_mechanism(flags.like ? *flags.like : *flags.routing);
+  const Mechanism* mechanism = catalogue.find_mechanism(flags.like ? *flags.like : *flags.routing);
   const bool own = mechanism != nullptr && mechanism->hardware && !flags.model.is_given();
   ModelFile file;
   if (own) {
@@ -149,16 +148,16 @@ void run(const ShowFlags& flags, const CLI::App& command) {
 }
 
 void add_options(CLI::App& command, ShowFlags& flags) {
-  CLI::Option* routing =
-      command.add_option("routing", flags.routing, "Catalogue name or word");
+  CLI::Option* routing = command.add_option("routing", flags.routing, "Catalogue name or word");
   CLI::Option* like =
       command
           .add_option("--like", flags.like,
                       "In place of a routing: a catalogue name, written for --fingers")
           ->excludes(routing);
-  CLI::Option* fingers = command.add_option("--fingers", flags.fingers, "Of --like: how many fingers")
-                             ->check(CLI::Range(1, max_fingers))
-                             ->needs(like);
+  CLI::Option* fingers =
+      command.add_option("--fingers", flags.fingers, "Of --like: how many fingers")
+          ->check(CLI::Range(1, max_fingers))
+          ->needs(like);
   like->needs(fingers);
   command
       .add_option("--held", flags.held,

@@ -130,8 +130,14 @@ const reeve = (() => {
     });
     const contents = document.createElement("nav");
     contents.id = "contents";
+    contents.className = "controls";
     contents.setAttribute("aria-label", "On this page");
-    contents.append(...links);
+    const list = document.createElement("details");
+    list.open = !document.querySelector("main.wide") && !matchMedia("(max-width: 40rem)").matches;
+    const summary = document.createElement("summary");
+    summary.textContent = "On this page";
+    list.append(summary, ...links);
+    contents.append(list);
     document.querySelector("main h1").after(contents);
   }
 

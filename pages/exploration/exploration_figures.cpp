@@ -233,11 +233,11 @@ struct ParetoPanel {
 
 ParetoPanel pareto_panel(const std::vector<PageDesign>& designs,
                          const std::vector<Objective>& ranking, const TwoObjectives& axes,
-                         const std::vector<AdvisedDesign>& advised) {
-  const std::vector<DrawnDesign> drawn = thinned(designs, axes);
+                         const std::vector<AdvisedDesign>& advised, const SpotGrid& grid) {
+  const std::vector<DrawnDesign> drawn = thinned(designs, axes, grid);
   const BandBars bands = band_bars(banded(designs, drawn, axes), axes, span(designs, axes));
-  ParetoPanel made{{}, drawn.size(), counts(ranking, axes) && has_front(designs),
-                   band_caption(bands)};
+  ParetoPanel made{
+      {}, drawn.size(), counts(ranking, axes) && has_front(designs), band_caption(bands)};
   chart::Panel& panel = made.panel;
   panel.x = objective_axis(axes[0]);
   panel.y = objective_axis(axes[1]);
@@ -294,8 +294,9 @@ LiveFigure pareto_figure(const std::vector<PageDesign>& designs,
                          const std::vector<Objective>& ranking,
                          const std::vector<AdvisedDesign>& advised) {
   const TwoObjectives axes = first_axes(ranking);
-  ParetoPanel all = pareto_panel(designs, ranking, axes, advised);
   const std::vector<PageDesign> near = about_the_front(designs, axes);
+  const SpotGrid grid = near.empty() ? SpotGrid{} : of_two_panels;
+  ParetoPanel all = pareto_panel(designs, ranking, axes, advised, grid);
   chart::Chart chart;
   chart.height = near.empty() ? 430 : 300;
   chart.width = 640;
@@ -307,7 +308,7 @@ LiveFigure pareto_figure(const std::vector<PageDesign>& designs,
   }
   chart.panels.push_back(std::move(all.panel));
   if (!near.empty()) {
-    chart.panels.push_back(pareto_panel(near, ranking, axes, advised).panel);
+    chart.panels.push_back(pareto_panel(near, ranking, axes, advised, grid).panel);
     chart.panels.back().title = "about the front";
   }
   return {{"pareto", "Designs by two objectives.",

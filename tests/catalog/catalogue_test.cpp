@@ -51,7 +51,8 @@ TEST(ShippedCatalogue, HasTheSevenForMoreFingersWithTheSheathsOfTheirKind) {
   const Catalogue catalogue = read_catalogue(REEVE_CATALOG_DIR);
   const auto sheaths = [](const Routing& routing) {
     const std::string word = to_word(routing);
-    return std::count(word.begin(), word.end(), 'M') + 2 * std::count(word.begin(), word.end(), 'P');
+    return std::count(word.begin(), word.end(), 'M') +
+           2 * std::count(word.begin(), word.end(), 'P');
   };
   const std::vector<std::pair<std::string, std::function<int(int)>>> laws{
       {"TR1", [](int) { return 1; }},

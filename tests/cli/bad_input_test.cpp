@@ -270,7 +270,6 @@ TEST(BadUsage, PointsToTheHelp) {
       {"--frobnicate", "unexpected --frobnicate; see reeve --help"},
       {"count --frobnicate", "count: unexpected --frobnicate; see reeve count --help"},
       {"count --tendons one", "--tendons one; see reeve count --help"},
-      {"show", "routing is required; see reeve show --help"},
       {"count --fingers 65", "--fingers: Value 65 not in range 1 to 64"},
       {"count --fingers 64", "more than 2^63 routings"},
       {"count --parts all --fingers 30", "--fingers 30: these parts"},

@@ -231,8 +231,8 @@ TEST(Help, MentionsEveryOption) {
       "--model --format --ladder --within --cost --sweep --columns --text-width");
   std::vector<std::pair<std::string, Arguments>> commands{
       {"show",
-       {"routing", "--like", "--fingers", "--held", "--direction", "--svg", "--out", "--hardware", "--model", "--cost",
-        "--format"}},
+       {"routing", "--like", "--fingers", "--held", "--direction", "--svg", "--out", "--hardware",
+        "--model", "--cost", "--format"}},
       {"rank",
        {"routing", "--catalog", "--family", "--margin", "--fingers", "--out", "--data",
         "--distributions", "--map", "--unit", "--group", "--store", "--constraint", "--top"}},

@@ -104,7 +104,8 @@ TEST(AboutTheFront, ReachesAsFarAsTheFrontDoes) {
 
 TEST(AboutTheFront, IsNoneWhereHardlyAnythingLiesThere) {
   EXPECT_TRUE(about_the_front({}, usual).empty());
-  EXPECT_TRUE(about_the_front(at_places({{1, 1}, {0.95, 0.95}, {0, 0}, {0.2, 0.1}}), usual).empty());
+  EXPECT_TRUE(
+      about_the_front(at_places({{1, 1}, {0.95, 0.95}, {0, 0}, {0.2, 0.1}}), usual).empty());
   const std::vector<std::pair<double, double>> same(9, {0.5, 0.5});
   EXPECT_TRUE(about_the_front(at_places(same), usual).empty());
 }
@@ -117,8 +118,8 @@ TEST(ParetoFigure, HasAPanelOfItsOwnAboutTheFront) {
   const auto panels = read_chart(
       pareto_figure(all, {Objective::uniformity_mean, Objective::efficiency_mean}).figure.svg);
   ASSERT_EQ(panels.size(), 2U);
-  EXPECT_EQ(panels[0].marks("points").size(), thinned(all, usual).size());
-  EXPECT_EQ(panels[1].marks("points").size(), thinned(near, usual).size());
+  EXPECT_EQ(panels[0].marks("points").size(), thinned(all, usual, of_two_panels).size());
+  EXPECT_EQ(panels[1].marks("points").size(), thinned(near, usual, of_two_panels).size());
 }
 
 TEST(ParetoFigure, PutsEveryMarkWhereItsDesignIs) {

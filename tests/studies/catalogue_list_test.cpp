@@ -12,8 +12,8 @@
 namespace reeve {
 namespace {
 
-std::vector<ListedMechanism> listed(const std::optional<std::string>& family = std::nullopt,
-                                    const std::optional<int>& fingers = std::nullopt) {
+std::vector<ListedMechanism> mechanisms(const std::optional<std::string>& family = std::nullopt,
+                                        const std::optional<int>& fingers = std::nullopt) {
   const CatalogueFiles files = CatalogueFiles::in(REEVE_CATALOG_DIR);
   return catalogue_list(read_catalogue(files), files, family, fingers);
 }
@@ -21,9 +21,9 @@ std::vector<ListedMechanism> listed(const std::optional<std::string>& family = s
 TEST(CatalogueList, HasEveryNameOnce) {
   const Catalogue catalogue = read_catalogue(REEVE_CATALOG_DIR);
   std::set<std::string> names;
-  for (const ListedMechanism& mechanism : listed()) names.insert(mechanism.name);
+  for (const ListedMechanism& mechanism : mechanisms()) names.insert(mechanism.name);
   EXPECT_EQ(names.size(), catalogue.entries.size() + catalogue.mechanisms.size());
-  EXPECT_EQ(names.size(), listed().size());
+  EXPECT_EQ(names.size(), mechanisms().size());
   EXPECT_TRUE(names.contains("TR7") && names.contains("OpenHandModelT"));
 }
 
@@ -34,7 +34,7 @@ TEST(CatalogueList, CountsTheNumbersThatTheCheckRecomputes) {
   std::map<std::string, std::size_t> checked;
   std::map<std::string, std::size_t> counted;
   for (const CheckItem& item : report.items) ++checked[item.family];
-  for (const ListedMechanism& mechanism : listed()) {
+  for (const ListedMechanism& mechanism : mechanisms()) {
     counted[mechanism.family] += mechanism.printed;
     EXPECT_LE(mechanism.agree, mechanism.printed);
   }
@@ -45,12 +45,12 @@ TEST(CatalogueList, CountsTheNumbersThatTheCheckRecomputes) {
 }
 
 TEST(CatalogueList, IsNarrowedByFamilyAndByFingers) {
-  for (const ListedMechanism& mechanism : listed("hands", 4)) {
+  for (const ListedMechanism& mechanism : mechanisms("hands", 4)) {
     EXPECT_EQ(mechanism.family, "hands");
     EXPECT_EQ(finger_count(mechanism.routing), 4);
   }
-  EXPECT_EQ(listed("hands", 4).size(), 4U);
-  EXPECT_TRUE(listed("hands", 9).empty());
+  EXPECT_EQ(mechanisms("hands", 4).size(), 4U);
+  EXPECT_TRUE(mechanisms("hands", 9).empty());
 }
 
 }  // namespace
