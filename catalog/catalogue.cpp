@@ -178,6 +178,17 @@ const Routing* Catalogue::find_routing(std::string_view name) const {
   return mechanism == nullptr ? nullptr : &mechanism->routing;
 }
 
+std::vector<Routing> Catalogue::sizes_of(std::string_view name) const {
+  const CatalogueEntry* entry = find_name(name);
+  const Mechanism* mechanism = find_mechanism(name);
+  if (entry == nullptr && mechanism == nullptr) return {};
+  std::vector<Routing> sizes = entry != nullptr ? entry->like : mechanism->like;
+  sizes.push_back(*find_routing(name));
+  std::sort(sizes.begin(), sizes.end(),
+            [](const Routing& a, const Routing& b) { return finger_count(a) < finger_count(b); });
+  return sizes;
+}
+
 std::vector<std::string> Catalogue::families() const {
   std::vector<std::string> names;
   for (const Mechanism& mechanism : mechanisms) {

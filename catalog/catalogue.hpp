@@ -2,6 +2,7 @@
 //
 //   name, word      required; the word is canonical for identical fingers
 //   title, source, notes
+//   like            words of the same routing for other numbers of fingers
 //   held            fingers held in the grasp of [table] and [closed_form]
 //   [table]         source, tension, share_percent: printed numbers, as strings
 //   [[lines]]       source, mu, share_percent, read_to_percent: what a figure draws of the model
@@ -40,6 +41,7 @@ struct CatalogueEntry {
   std::string title;
   std::string source;
   std::string notes;
+  std::vector<Routing> like;
   Grasp grasp;  // of the published numbers
   std::optional<PublishedTable> table;
   std::vector<PublishedLines> lines;
@@ -59,6 +61,8 @@ struct Catalogue {
   const Mechanism* find_mechanism(std::string_view name) const;
   // Of an entry or a mechanism.
   const Routing* find_routing(std::string_view name) const;
+  // The routing of that name for each number of fingers that its file has, the fewest first.
+  std::vector<Routing> sizes_of(std::string_view name) const;
   // Of the mechanisms, by name.
   std::vector<std::string> families() const;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 #include <utility>
 
 #include "core/canonical.hpp"
@@ -220,6 +221,18 @@ Routing read_actuated_word(const TomlNode& node) {
   return routing;
 }
 
+std::vector<Routing> read_like(const TomlNode* node, const Routing& own) {
+  std::vector<Routing> like;
+  if (node == nullptr) return like;
+  std::set<int> taken{finger_count(own)};
+  for (const TomlNode& item : node->items()) {
+    like.push_back(read_actuated_word(item));
+    if (taken.insert(finger_count(like.back())).second) continue;
+    item.fail_expected("a word for a number of fingers that none before it has");
+  }
+  return like;
+}
+
 Grasp read_held(const TomlNode& node, int fingers) {
   Grasp grasp;
   for (const TomlNode& item : node.items()) {
@@ -271,7 +284,7 @@ const char* fault_name(const Fault& fault) {
 }
 
 CatalogueEntry read_entry(const TomlNode& file) {
-  file.allow_only({"name", "word", "title", "source", "notes", "held", "table", "lines",
+  file.allow_only({"name", "word", "title", "source", "notes", "like", "held", "table", "lines",
                    "closed_form", "fault", "misprint"});
   CatalogueEntry entry;
   entry.file = *file.file;
@@ -286,6 +299,7 @@ CatalogueEntry read_entry(const TomlNode& file) {
   entry.title = optional_text("title");
   entry.source = optional_text("source");
   entry.notes = optional_text("notes");
+  entry.like = read_like(file.find("like"), entry.routing);
   read_published(file, entry);
   entry.misprints = read_misprints(file.find("misprint"));
   return entry;

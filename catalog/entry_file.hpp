@@ -14,6 +14,8 @@ CatalogueEntry read_entry(const TomlNode& file);
 std::string read_name(const TomlNode& node);
 // A routing that hangs on the motor, however it is spelt.
 Routing read_actuated_word(const TomlNode& node);
+// "like": the routing for other numbers of fingers, each once; none without the node.
+std::vector<Routing> read_like(const TomlNode* node, const Routing& own);
 // "held": fingers of a routing with so many.
 Grasp read_held(const TomlNode& node, int fingers);
 std::vector<Misprint> read_misprints(const TomlNode* node);

@@ -76,6 +76,27 @@ Routing read_routing(const std::string& text, const Catalogue& catalogue) {
   return parse_routing(text);
 }
 
+Routing read_like(const std::string& name, int fingers, const Catalogue& catalogue) {
+  const std::vector<Routing> sizes = catalogue.sizes_of(name);
+  if (sizes.empty()) {
+    throw InputError(
+        {.what = "--like",
+         .value = name,
+         .expected = fmt::format("a name of the catalogue, which reeve catalogue lists{}",
+                                 did_you_mean(name, routing_names(catalogue)))});
+  }
+  std::vector<int> known;
+  for (const Routing& routing : sizes) {
+    if (finger_count(routing) == fingers) return routing;
+    known.push_back(finger_count(routing));
+  }
+  throw InputError(
+      {.what = "--fingers",
+       .value = std::to_string(fingers),
+       .expected = fmt::format("{}{}: the catalogue has {} for no other number",
+                               known.size() > 1 ? "one of " : "", fmt::join(known, ", "), name)});
+}
+
 Routing read_actuated_routing(const std::string& text, const Catalogue& catalogue) {
   Routing routing = read_routing(text, catalogue);
   require_actuated(expand(routing), to_word(routing));
@@ -142,8 +163,24 @@ void SvgOption::add_to(CLI::App& command, const std::string& what) {
   option_ = command.add_option("--svg", file_, what);
 }
 
+void require_svg(const std::string& file, const std::string& option) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::vector<std::string> others{".pdf", ".png", ".eps", ".ps", ".jpg", ".jpeg", ".tif"};
+  if (std::find(others.begin(), others.end(), ending) == others.end()) return;
+  const std::string stem = std::filesystem::path(file).replace_extension(".svg").string();
+  throw InputError({.what = option,
+                    .value = file,
+                    .expected = fmt::format("a file of SVG, such as '{}'; rsvg-convert -f {} or "
+                                            "Inkscape converts it",
+                                            stem, ending.substr(1))});
+}
+
 void SvgOption::require_apart_from(const std::vector<InputFile>& inputs) const {
-  if (is_given()) require_not_an_input(file_, inputs, "--svg");
+  if (!is_given()) return;
+  require_svg(file_, "--svg");
+  require_not_an_input(file_, inputs, "--svg");
 }
 
 void SvgOption::write(const std::string& content) const {

@@ -28,6 +28,8 @@ namespace reeve::cli {
 Routing read_routing(const std::string& text, const Catalogue& catalogue);
 // The same, and every tendon must hang on the motor.
 Routing read_actuated_routing(const std::string& text, const Catalogue& catalogue);
+// What --like and --fingers name: the routing of that name for so many fingers. Throws InputError.
+Routing read_like(const std::string& name, int fingers, const Catalogue& catalogue);
 
 // Routings to compare, each once, whichever way its word is walked.
 class GivenRoutings {
@@ -90,6 +92,10 @@ struct FamilyOption {
   std::string family_;
   CLI::Option* option_ = nullptr;
 };
+
+// Drawings are SVG, whatever the file is called: a name that ends in .pdf or .png is refused.
+// Throws InputError.
+void require_svg(const std::string& file, const std::string& option);
 
 // A drawing besides the result on stdout.
 struct SvgOption {

@@ -1,12 +1,15 @@
-// The pages of a routing, a ranking and a sizing: what `show`, `rank` and `size` write with --out.
+// The pages of a routing, a ranking, a sizing and the catalogue: what `show`, `rank`, `size` and
+// `catalogue` write with --out.
 // Those of an exploration and of a diagnosis have headers of their own.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "pages/shell/figure_files.hpp"
 #include "reports/rank_report.hpp"
 #include "reports/show_report.hpp"
+#include "studies/catalogue_list.hpp"
 #include "studies/sizing_study.hpp"
 
 namespace reeve::pages {
@@ -19,5 +22,8 @@ PageFiles ranking_page(const RankReport& report, const std::string& command);
 
 // The report has details.
 PageFiles sizing_page(const SizingReport& report, const std::string& command);
+
+// By family, each with a drawing.
+PageFiles catalogue_page(const std::vector<ListedMechanism>& list, const std::string& command);
 
 }  // namespace reeve::pages

@@ -7,6 +7,7 @@
 //   topology        "secondary" if the way of the tendon is not from the source itself; then it can
 //                   have no numbers. "read" otherwise, and where it is left out
 //   title, source, notes
+//   like            words of the same mechanism for other numbers of fingers
 //   [hardware]      its own coefficients, in the tables of a hardware file (rig/hardware_file.hpp)
 //   [rig.NAME]      what is different for some of the numbers: let, hardware, inferred_from
 //   [[published]]   source, rig, let, word, held, direction, computed, unit; numbers, each with
@@ -84,6 +85,7 @@ struct Mechanism {
   std::string access;
   bool from_secondary_source = false;
   std::string notes;
+  std::vector<Routing> like;
   // Own coefficients, if it has any.
   std::optional<Hardware> hardware;
   std::vector<PublishedNumber> numbers;

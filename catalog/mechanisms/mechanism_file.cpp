@@ -365,8 +365,8 @@ void require_no_numbers(const TomlNode& file) {
 }  // namespace
 
 Mechanism read_mechanism(const TomlNode& file, const std::string& family) {
-  file.allow_only({"name", "word", "title", "source", "access", "topology", "notes", "hardware",
-                   "rig", "published", "misprint"});
+  file.allow_only({"name", "word", "title", "source", "access", "topology", "notes", "like",
+                   "hardware", "rig", "published", "misprint"});
   Mechanism mechanism;
   mechanism.family = family;
   mechanism.file = *file.file;
@@ -381,6 +381,7 @@ Mechanism read_mechanism(const TomlNode& file, const std::string& family) {
   mechanism.title = optional_text(file, "title");
   mechanism.source = optional_text(file, "source");
   mechanism.notes = optional_text(file, "notes");
+  mechanism.like = read_like(file.find("like"), mechanism.routing);
   const RigTables rigs(file);
   if (file.find("hardware") != nullptr) mechanism.hardware = rigs.find(nullptr, nullptr).hardware;
   if (mechanism.from_secondary_source) require_no_numbers(file);

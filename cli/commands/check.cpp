@@ -55,6 +55,7 @@ void add_check(CLI::App& program, int& exit_code) {
   command->callback([flags, &exit_code] {
     const Catalogue catalogue = shipped_catalogue();
     const CheckReport report = checked(*flags, catalogue);
+    flags->svg.require_apart_from({});
     if (flags->svg.is_given()) flags->svg.write(catalogue_document(solve(catalogue)));
     std::cout << (flags->format.is("json") ? check_json(report)
                                            : printed(check_sheet(report), flags->format));

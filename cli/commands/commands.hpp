@@ -22,6 +22,7 @@ void add_rank(CLI::App& program, int& exit_code);
 void add_explore(CLI::App& program, int& exit_code);
 void add_count(CLI::App& program, int& exit_code);
 void add_check(CLI::App& program, int& exit_code);
+void add_catalogue(CLI::App& program, int& exit_code);
 void add_compare(CLI::App& program, int& exit_code);
 void add_import(CLI::App& program, int& exit_code);
 void add_simulate(CLI::App& program, int& exit_code);

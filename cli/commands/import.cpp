@@ -45,6 +45,7 @@ void require_places(const ImportFlags& flags) {
   };
   require(flags.out_given, flags.out, "-o");
   require(flags.plot_given, flags.plot, "--plot");
+  require_svg(flags.plot, "--plot");
 }
 
 ImportReport report(const ImportFlags& flags) {

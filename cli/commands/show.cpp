@@ -1,4 +1,5 @@
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,9 @@ namespace reeve::cli {
 namespace {
 
 struct ShowFlags {
-  std::string routing;
+  std::optional<std::string> routing;
+  std::optional<std::string> like;
+  int fingers = 0;
   std::vector<std::string> held;
   std::string direction = "pull";
   SvgOption svg;
@@ -44,10 +47,16 @@ GraspSet grasps(const ShowFlags& flags, int fingers) {
   return grasps;
 }
 
+Routing asked_routing(const ShowFlags& flags, const Catalogue& catalogue) {
+  if (flags.like) return read_like(*flags.like, flags.fingers, catalogue);
+  if (flags.routing) return read_actuated_routing(*flags.routing, catalogue);
+  throw InputError("routing is required, or --like and --fingers; see reeve show --help");
+}
+
 ShownRouting report(const ShowFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
-  const Routing routing = read_actuated_routing(flags.routing, catalogue);
-  const Mechanism* mechanism = catalogue.find_mechanism(flags.routing);
+  const Routing routing = asked_routing(flags, catalogue);
+  const Mechanism* mechanism = catalogue.find_mechanism(flags.like ? *flags.like : *flags.routing);
   const bool own = mechanism != nullptr && mechanism->hardware && !flags.model.is_given();
   ModelFile file;
   if (own) {
@@ -66,7 +75,7 @@ ShownRouting report(const ShowFlags& flags) {
   if (shown.hand) shown.hand->drawn = motor_force(routing, {model, file.uncertainty, asked, {}});
   shown.own_hardware = own && !flags.model.friction().is_given();
   // Another mechanism may have the same word.
-  if (mechanism != nullptr) shown.name = mechanism->name;
+  if (mechanism != nullptr) shown.name = mechanism->routing == routing ? mechanism->name : "";
   return shown;
 }
 
@@ -139,7 +148,17 @@ void run(const ShowFlags& flags, const CLI::App& command) {
 }
 
 void add_options(CLI::App& command, ShowFlags& flags) {
-  command.add_option("routing", flags.routing, "Catalogue name or word")->required();
+  CLI::Option* routing = command.add_option("routing", flags.routing, "Catalogue name or word");
+  CLI::Option* like =
+      command
+          .add_option("--like", flags.like,
+                      "In place of a routing: a catalogue name, written for --fingers")
+          ->excludes(routing);
+  CLI::Option* fingers =
+      command.add_option("--fingers", flags.fingers, "Of --like: how many fingers")
+          ->check(CLI::Range(1, max_fingers))
+          ->needs(like);
+  like->needs(fingers);
   command
       .add_option("--held", flags.held,
                   "Fingers that are held, such as 1 or 1,2, or none; once for each grasp "

@@ -181,9 +181,11 @@ void ExploreFlags::add_to(CLI::App& command) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
   command
-      .add_option("--details", details,
-                  "Of how many of the best designs the page holds schematics and tensions, besides "
-                  "the known routings; by default as many as 170 schematics show in all grasps")
+      .add_option(
+          "--details", details,
+          "Of how many of the best designs the page holds schematics and tensions, besides "
+          "the known routings; by default as many as 170 schematics show in all grasps, and of 1000 "
+          "more the first")
       ->check(CLI::Range(std::size_t{0}, std::size_t{100000}));
   command
       .add_option(

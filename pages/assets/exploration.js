@@ -9,6 +9,7 @@
 
   let lines = null; // what the parallel coordinates show
   let height = 0; // of the plot, px
+  let view = "near"; // the front, "all", or a window
 
   function markSelection() {
     const { values } = state.designs();
@@ -36,10 +37,16 @@
 
   // Views come and go with the axes, the filter and the colours.
   function onView(view) {
-    view.addEventListener("click", (_, item) => rowUnder(item) !== null && state.toggle(rowUnder(item)));
+    view.addEventListener("click", (_, item) =>
+      rowUnder(item) !== null && !explorationMoves.wasDragged() && state.toggle(rowUnder(item)));
     view.addEventListener("mouseover", (_, item) => rowUnder(item) !== null && state.point(rowUnder(item)));
     view.container().onpointerleave = () => state.point(null);
     markSelection();
+  }
+
+  function onPlotView(view) {
+    onView(view);
+    explorationMoves.listen(view, moves);
   }
 
   function onParallelView(view) {
@@ -67,7 +74,8 @@
     const view = liveCharts.view(pareto);
     if (!view) return;
     const labels = plot.labelsBeside(spots.map(({ x, y, letter }) => ({ x, y, text: letter })));
-    view.data("chosen", spots).data("labels", labels).runAsync();
+    const seen = spots.filter(({ x, y }) => explorationWindow.holds(plot.reach, [x, y]));
+    view.data("chosen", seen).data("labels", labels).runAsync();
   }
 
   // What the ladder marks.
@@ -81,19 +89,58 @@
     const rows = state.rows();
     height ||= plotHeight();
     const size = { width: pareto.clientWidth - 70, height }; // without the numbers of the axis
-    plot = explorationCharts.pareto({ data, axes: state.axes(), rows, advised: advised(), size });
+    plot = explorationCharts.pareto({ data, axes: state.axes(), rows, advised: advised(), size, view });
+    showView();
     const width = parallel.clientWidth || 700;
     lines = explorationParallel.parallel({ data, rows, base: state.base(), ranges: state.ranges(), width });
     [pareto, parallel].forEach(sayIfNothing);
     document.getElementById("pareto-count").textContent =
-      `${plot.drawn} of ${plot.of} designs drawn: of those that lie on one spot, the first.` +
+      `${plot.drawn} of ${plot.of} designs drawn: of those that lie on one spot, the first` +
+      (plot.inside < plot.of ? `; ${plot.of - plot.inside} lie outside this view.` : ".") +
       (plot.cut ? " Bars that reach far beyond the points end where the plot does." : "");
     document.getElementById("parallel-count").textContent =
       `Lines: ${lines.drawn} of ${lines.of} designs, the best ${explorationParallel.mostLines} by rank and the ` +
       "known routings. Grey bars: where all of them lie, the wider the more.";
-    await liveCharts.draw(pareto, plot.spec, onView);
+    await liveCharts.draw(pareto, plot.spec, onPlotView);
     await liveCharts.draw(parallel, lines.spec, onParallelView);
   }
+
+  const pressed = (id, is) => document.getElementById(id).setAttribute("aria-pressed", String(is));
+  function showView() {
+    document.getElementById("view-near").disabled = plot.near === null;
+    pressed("view-near", plot.near !== null && view === "near");
+    pressed("view-all", view === "all" || (view === "near" && plot.near === null));
+  }
+
+  function pointedText({ row, tip }) {
+    const values = state.axes().map((column) =>
+      `${state.objectives[column].title} ${explorationCharts.number(state.designs().values[column][row])}`);
+    return [...tip.split("\n").slice(0, 2), ...values].join("; ");
+  }
+  const markOf = (row) => plot.spec.datasets.points.find((point) => point.row === row);
+  // The plot, for who moves in it.
+  const moves = {
+    window: () => plot.reach,
+    points: () => plot.spec.datasets.points,
+    pointed: () => markOf(state.pointed()),
+    toggle: ({ row }) => state.toggle(row),
+    point(mark) {
+      state.point(mark?.row ?? null);
+      document.getElementById("pointed").textContent = mark ? pointedText(mark) : "";
+      liveCharts.view(pareto)?.data("pointed", mark ? [mark] : []).runAsync();
+    },
+    choose(which) {
+      view = which;
+      drawPlots();
+    },
+    // At once by the axes alone; marks and names follow when the reader stops.
+    show(window) {
+      plot.reach = view = explorationWindow.within(window, plot.whole);
+      showView();
+      liveCharts.view(pareto)?.signal("reach", plot.reach.flat()).signal("moving", true).runAsync();
+      drawPlotsSoon();
+    },
+  };
 
   // Several changes within a moment, such as typing, are one.
   let waiting = null;
@@ -151,12 +198,15 @@
   for (const controls of document.querySelectorAll(".controls[hidden]")) controls.hidden = false;
   axisChoices();
   explorationTable.start();
+  explorationFinder.start();
   explorationBrushes.start();
   ladderRows();
+  explorationMoves.start(moves);
   document.getElementById("clear").addEventListener("click", state.clear);
   state.onChange((what) => {
     if (what === "pointed" || what === "columns") return;
     tray();
+    if (what === "axes") view = "near";
     if (what === "selection") markSelection();
     else drawPlotsSoon();
     ["x-axis", "y-axis"].forEach((id, which) => {

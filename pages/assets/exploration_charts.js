@@ -172,9 +172,8 @@ const explorationCharts = (() => {
     return [Math.max(low - beyond, least ?? -Infinity), Math.min(high + beyond, greatest ?? Infinity)];
   }
 
-  function axis(channel, objective, reach) {
+  function axis(channel, objective) {
     channel.title = axisTitle(objective);
-    channel.scale.domain = reach;
     channel.axis = objective.count ? { tickMinStep: 1, format: "d" } : {};
   }
 
@@ -193,60 +192,76 @@ const explorationCharts = (() => {
   const sizes = [30, 80, 110, 22];
   const opacities = [0.55, 1, 1, 0.35];
 
+  // The designs of a plot, as its marks.
+  function marks(data, rows, columns) {
+    const { designs } = data;
+    const above = (point) => layers.indexOf(designs.kind[point.row]);
+    return thinned(designs, rows, columns, grid)
+      .map(({ row, count }) => ({
+        row,
+        x: columns[0][row],
+        y: columns[1][row],
+        kind: kinds[designs.kind[row]],
+        size: sizes[designs.kind[row]],
+        opacity: opacities[designs.kind[row]],
+        tip: tip(data, row, count),
+      }))
+      .sort((a, b) => above(a) - above(b) || b.row - a.row);
+  }
+
+  // What the axes reach over: `whole` holds all; `near` is about what none beats in both, or null
+  // where hardly anything lies there.
+  function windows(chosen, ranges, bars, places) {
+    const whole = chosen.map((objective, i) => domain(withBars(ranges[i], bars, i), objective));
+    const edge = frontLine(places, chosen, ranges).slice(1, -1).map(({ x, y }) => [x, y]);
+    const near = explorationWindow.near(chosen, ranges, edge, places);
+    return { whole, near: near && chosen.map((objective, i) => domain(near[i], objective)) };
+  }
+
   // data: {objectives, ranking, designs}; axes: indices of two objectives; rows: which designs;
-  // advised: [{row, label}]; size: of the frame, in pixels. Gives the specification, and how many of
-  // how many designs it draws.
-  function pareto({ data, axes, rows, advised = [], size = { width: 600, height: 430 } }) {
+  // advised: [{row, label}]; size: of the frame, in pixels; view: "near" the front, "all", or a
+  // window. Gives the specification, its window and the windows there are, and how many of how many
+  // designs it draws.
+  function pareto({ data, axes, rows, advised = [], size = { width: 600, height: 430 }, view = "all" }) {
     const { designs, objectives, ranking } = data;
     const columns = axes.map((axis) => designs.values[axis]);
     const all = rows ?? designs.word.map((_, row) => row);
-    const drawn = thinned(designs, all, columns, grid);
-    const points = drawn.map(({ row, count }) => ({
-      row,
-      x: columns[0][row],
-      y: columns[1][row],
-      kind: kinds[designs.kind[row]],
-      size: sizes[designs.kind[row]],
-      opacity: opacities[designs.kind[row]],
-      tip: tip(data, row, count),
-    }));
-    const above = (point) => layers.indexOf(designs.kind[point.row]);
-    points.sort((a, b) => above(a) - above(b) || b.row - a.row);
-    const onFront = designs.word.map((_, row) => row).filter((row) =>
-      designs.front[row] === 1 && columns.every((column) => column[row] !== null));
-    const shown = [...all, ...onFront];
-    const ranges = columns.map((column) => range(column, shown));
+    const placeOf = (row) => columns.map((column) => column[row]);
+    const hasPlace = (row) => !placeOf(row).includes(null);
+    const onFront = designs.word.map((_, row) => row).filter((row) => designs.front[row] === 1 && hasPlace(row));
+    const ranges = columns.map((column) => range(column, [...all, ...onFront]));
     const chosen = axes.map((axis) => objectives[axis]);
-    const line = axes.every((axis) => ranking.includes(axis))
-      ? frontLine(onFront.map((row) => columns.map((column) => column[row])), chosen, ranges)
-      : [];
-    const whole = bandBars(designs, points, axes);
-    const bars = cutBars(whole, ranges);
-    const cut = bars.some((bar, i) => Object.keys(bar).some((key) => bar[key] !== whole[i][key]));
-    const reaches = chosen.map((objective, i) => domain(withBars(ranges[i], bars, i), objective));
-    const among = new Set(all);
+    const line = axes.every((axis) => ranking.includes(axis)) ? frontLine(onFront.map(placeOf), chosen, ranges) : [];
+    const longBars = bandBars(designs, marks(data, all, columns), axes);
+    const bars = cutBars(longBars, ranges);
+    const cut = bars.some((bar, i) => Object.keys(bar).some((key) => bar[key] !== longBars[i][key]));
+    const { whole, near } = windows(chosen, ranges, bars, all.filter(hasPlace).map(placeOf));
+    const reach = Array.isArray(view) ? explorationWindow.within(view, whole) : (view === "near" && near) || whole;
+    const inside = all.filter((row) => hasPlace(row) && explorationWindow.holds(reach, placeOf(row)));
+    const points = marks(data, inside, columns);
+    const among = new Set(inside);
     const rings = advised
       .filter(({ row }) => among.has(row))
-      .map(({ row, label: note }) => ({ row, label: note, x: columns[0][row], y: columns[1][row], tip: tip(data, row, 1) }))
-      .filter(({ x, y }) => x !== null && y !== null);
-    const named = namedSpots(data, points, reaches, rings);
-    // More texts, [{x, y, text}], go before those.
+      .map(({ row, label: note }) => ({ row, label: note, x: columns[0][row], y: columns[1][row], tip: tip(data, row, 1) }));
+    const named = namedSpots(data, points, reach, rings);
+    const pixels = ({ x, y }) => ({
+      x: place(x, reach[0]) * size.width, y: (1 - place(y, reach[1])) * size.height });
+    // More texts, [{x, y, text}], go before those; each stands clear of its mark and of the others'.
     const labelsBeside = (more) => {
-      const wanted = [...more, ...named].map((spot) => ({
-        at: spot, text: spot.text,
-        x: place(spot.x, reaches[0]) * size.width, y: (1 - place(spot.y, reaches[1])) * size.height }));
-      return explorationLabels.place(wanted, size).map(({ at, text, dx, dy, align }) =>
+      const wanted = [...more.filter(({ x, y }) => explorationWindow.holds(reach, [x, y])), ...named];
+      const spots = wanted.map((spot) => ({ at: spot, text: spot.text, ...pixels(spot) }));
+      return explorationLabels.place(spots, size).map(({ at, text, dx, dy, align }) =>
         ({ x: at.x, y: at.y, text, dx, dy, align }));
     };
     const spec = specification(
       "pareto",
       { edge: line, bands: bars, points, labels: labelsBeside([]), advised: rings },
-      { present: present(points) },
+      { present: present(points), reach: reach.flat() },
     );
-    axis(spec.encoding.x, chosen[0], reaches[0]);
-    axis(spec.encoding.y, chosen[1], reaches[1]);
+    axis(spec.encoding.x, chosen[0]);
+    axis(spec.encoding.y, chosen[1]);
     spec.height = size.height;
-    return { drawn: points.length, of: all.length, cut, labelsBeside, spec };
+    return { drawn: points.length, inside: inside.length, of: all.length, cut, labelsBeside, reach, whole, near, spec };
   }
 
   // tensions: [{held, strand, tension}]

@@ -8,7 +8,7 @@ const explorationState = (() => {
   const { objectives, ranking } = reeve.data;
   const listeners = [];
   const rowOf = new Map(); // word -> row
-  const filter = { text: "", which: document.getElementById("filter-which").value, bounds: [] };
+  const filter = { text: "", which: document.getElementById("filter-which").value, bounds: [], parts: {} };
   const unfiltered = { ...filter };
   let ranges = new Map(); // column -> [low, high], brushed on an axis
   let hidden = new Set(); // columns of the table, by name
@@ -40,6 +40,7 @@ const explorationState = (() => {
     if (!has[filter.which]) return false;
     const text = filter.text.trim().toLowerCase();
     if (text && !explorationCharts.label(designs, row).toLowerCase().includes(text)) return false;
+    if (!explorationParts.has(designs.word[row], filter.parts)) return false;
     return filter.bounds.every(({ column, least, value }) => {
       const own = valueOf(column, row);
       return least ? own >= value : own <= value;

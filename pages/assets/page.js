@@ -115,6 +115,33 @@ const reeve = (() => {
   // Charts that are as wide as their place have to see it.
   document.addEventListener("toggle", () => dispatchEvent(new Event("resize")), true);
 
+  // Links to the headings, where a page is longer than three screens.
+  function addContents() {
+    if (document.documentElement.scrollHeight <= 3 * innerHeight) return;
+    const headings = [...document.querySelectorAll("main h2")].filter((each) => !each.closest(".slot, .answer"));
+    if (headings.length < 3) return;
+    const links = headings.map((heading, i) => {
+      const place = heading.closest("section[id], details[id]") ?? heading;
+      place.id ||= `contents-${i + 1}`;
+      const link = document.createElement("a");
+      link.href = `#${place.id}`;
+      link.textContent = heading.textContent;
+      return link;
+    });
+    const contents = document.createElement("nav");
+    contents.id = "contents";
+    contents.className = "controls";
+    contents.setAttribute("aria-label", "On this page");
+    const list = document.createElement("details");
+    list.open = !document.querySelector("main.wide") && !matchMedia("(max-width: 40rem)").matches;
+    const summary = document.createElement("summary");
+    summary.textContent = "On this page";
+    list.append(summary, ...links);
+    contents.append(list);
+    document.querySelector("main h1").after(contents);
+  }
+
+  addContents();
   for (const figure of document.querySelectorAll("figure.schematic, figure.chart")) {
     if (!figure.querySelector(".live")) savable(figure);
   }

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
+#include <utility>
 
 #include "drawing/chart/chart.hpp"
 #include "drawing/chart/chart_axis.hpp"
@@ -31,6 +33,26 @@ GridCell grid_cell(const PageDesign& design, std::size_t index, const Point& at,
   if (design.kind == DesignKind::known) return {kind, static_cast<double>(index), 0};
   const double finer = design.kind == DesignKind::front ? 5 : 1;
   return {kind, std::round(at.x * grid.columns * finer), std::round(at.y * grid.lines * finer)};
+}
+
+bool has_place(Point at) { return std::isfinite(at.x) && std::isfinite(at.y); }
+
+template <typename Choose>
+Point reduced(const std::vector<Point>& points, Choose choose) {
+  Point result = points.front();
+  for (const Point& at : points) result = {choose(result.x, at.x), choose(result.y, at.y)};
+  return result;
+}
+
+// Of points of which greater is better those that none beats in both, the greatest x first.
+std::vector<Point> unbeaten(std::vector<Point> points) {
+  std::sort(points.begin(), points.end(),
+            [](const Point& a, const Point& b) { return a.x != b.x ? a.x > b.x : a.y > b.y; });
+  std::vector<Point> edge;
+  for (const Point& at : points) {
+    if (edge.empty() || at.y > edge.back().y) edge.push_back(at);
+  }
+  return edge;
 }
 
 // Turned so that greater is better.
@@ -180,12 +202,7 @@ std::vector<Point> front_edge(const std::vector<Point>& front, const TwoObjectiv
   if (front.empty()) return {};
   std::vector<Point> sorted;
   for (const Point& at : front) sorted.push_back(turned(at, axes));
-  std::sort(sorted.begin(), sorted.end(),
-            [](const Point& a, const Point& b) { return a.x != b.x ? a.x > b.x : a.y > b.y; });
-  std::vector<Point> edge;
-  for (const Point& at : sorted) {
-    if (edge.empty() || at.y > edge.back().y) edge.push_back(at);
-  }
+  const std::vector<Point> edge = unbeaten(std::move(sorted));
   Point worst = edge.back();
   for (const Point& at : shown) {
     worst.x = std::min(worst.x, turned(at, axes).x);
@@ -205,21 +222,30 @@ TwoObjectives first_axes(const std::vector<Objective>& ranking) {
                                                      : Objective::efficiency_mean};
 }
 
-LiveFigure pareto_figure(const std::vector<PageDesign>& designs,
-                         const std::vector<Objective>& ranking,
-                         const std::vector<AdvisedDesign>& advised) {
-  const TwoObjectives axes = first_axes(ranking);
-  const std::vector<DrawnDesign> drawn = thinned(designs, axes);
+namespace {
+
+struct ParetoPanel {
   chart::Panel panel;
+  std::size_t marks = 0;
+  bool has_edge = false;
+  std::string bands;  // what the caption says of them
+};
+
+ParetoPanel pareto_panel(const std::vector<PageDesign>& designs,
+                         const std::vector<Objective>& ranking, const TwoObjectives& axes,
+                         const std::vector<AdvisedDesign>& advised, const SpotGrid& grid) {
+  const std::vector<DrawnDesign> drawn = thinned(designs, axes, grid);
+  const BandBars bands = band_bars(banded(designs, drawn, axes), axes, span(designs, axes));
+  ParetoPanel made{
+      {}, drawn.size(), counts(ranking, axes) && has_front(designs), band_caption(bands)};
+  chart::Panel& panel = made.panel;
   panel.x = objective_axis(axes[0]);
   panel.y = objective_axis(axes[1]);
-  const bool has_edge = counts(ranking, axes) && has_front(designs);
-  if (has_edge) {
+  if (made.has_edge) {
     chart::Style dashed{chart::Colour::orange};
     dashed.dash = chart::Dash::dashed;
     panel.layers.push_back({"", dashed, edge_of_front(designs, axes)});
   }
-  const BandBars bands = band_bars(banded(designs, drawn, axes), axes, span(designs, axes));
   panel.layers.insert(panel.layers.end(), bands.layers.begin(), bands.layers.end());
   for (chart::Layer& layer : point_layers(designs, drawn, axes)) {
     panel.layers.push_back(std::move(layer));
@@ -234,15 +260,60 @@ LiveFigure pareto_figure(const std::vector<PageDesign>& designs,
     rings.spots.push_back({at.x, at.y, title(*found, axes, 1), design.label});
   }
   if (!rings.spots.empty()) panel.layers.push_back({"advised", advised_style(), rings});
+  return made;
+}
+
+}  // namespace
+
+std::vector<PageDesign> about_the_front(const std::vector<PageDesign>& designs,
+                                        const TwoObjectives& axes) {
+  constexpr double tenth = 0.1;
+  constexpr std::size_t fewest = 5;  // places; fewer need no window of their own
+  std::vector<Point> places;
+  for (const PageDesign& design : designs) {
+    if (has_place(spot(design, axes))) places.push_back(turned(spot(design, axes), axes));
+  }
+  if (places.empty()) return {};
+  const Point least = reduced(places, [](double a, double b) { return std::min(a, b); });
+  const Point best = reduced(places, [](double a, double b) { return std::max(a, b); });
+  Point low{best.x - tenth * (best.x - least.x), best.y - tenth * (best.y - least.y)};
+  for (const Point& at : unbeaten(places)) low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+  std::vector<PageDesign> near;
+  std::set<std::pair<double, double>> distinct;
+  for (const PageDesign& design : designs) {
+    const Point at = turned(spot(design, axes), axes);
+    if (!has_place(at) || at.x < low.x || at.y < low.y) continue;
+    near.push_back(design);
+    distinct.insert({at.x, at.y});
+  }
+  if (distinct.size() < fewest || near.size() == designs.size()) return {};
+  return near;
+}
+
+LiveFigure pareto_figure(const std::vector<PageDesign>& designs,
+                         const std::vector<Objective>& ranking,
+                         const std::vector<AdvisedDesign>& advised) {
+  const TwoObjectives axes = first_axes(ranking);
+  const std::vector<PageDesign> near = about_the_front(designs, axes);
+  const SpotGrid grid = near.empty() ? SpotGrid{} : of_two_panels;
+  ParetoPanel all = pareto_panel(designs, ranking, axes, advised, grid);
   chart::Chart chart;
-  chart.height = 430;
+  chart.height = near.empty() ? 430 : 300;
   chart.width = 640;
   chart.alt = fmt::format("Scatter plot of the designs over {}; {} marks stand for {} designs.",
-                          objective_titles(ranking), drawn.size(), designs.size());
-  chart.panels.push_back(std::move(panel));
+                          objective_titles(ranking), all.marks, designs.size());
+  if (!near.empty()) {
+    all.panel.title = "all";
+    chart.alt += " Below it those about the front.";
+  }
+  chart.panels.push_back(std::move(all.panel));
+  if (!near.empty()) {
+    chart.panels.push_back(pareto_panel(near, ranking, axes, advised, grid).panel);
+    chart.panels.back().title = "about the front";
+  }
   return {{"pareto", "Designs by two objectives.",
-           edge_caption(has_edge, has_front(designs)) +
-               "Where several designs share a spot, the first is drawn." + band_caption(bands),
+           edge_caption(all.has_edge, has_front(designs)) +
+               "Where several designs share a spot, the first is drawn." + all.bands,
            chart_svg(chart)},
           chart.alt};
 }

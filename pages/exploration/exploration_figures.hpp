@@ -25,6 +25,9 @@ struct SpotGrid {
   double lines = 60;
 };
 
+// Of the two panels of a figure, each of which is lower.
+inline constexpr SpotGrid of_two_panels{75, 35};
+
 struct DrawnDesign {
   std::size_t design = 0;
   std::size_t count = 1;  // designs that the mark stands for, itself included
@@ -42,7 +45,13 @@ std::vector<Point> front_edge(const std::vector<Point>& front, const TwoObjectiv
 
 Point spot(const PageDesign& design, const TwoObjectives& axes);
 
-// The designs over two objectives, over `ranking` of which the front is; `advised` are marked.
+// Those that lie in the best tenth of both spreads, or no farther than what none beats in both
+// reaches; none if they lie on a few spots, or are all. What the live plot opens with.
+std::vector<PageDesign> about_the_front(const std::vector<PageDesign>& designs,
+                                        const TwoObjectives& axes);
+
+// The designs over two objectives, and below them those about the front, over `ranking` of which
+// the front is; `advised` are marked.
 LiveFigure pareto_figure(const std::vector<PageDesign>& designs,
                          const std::vector<Objective>& ranking,
                          const std::vector<AdvisedDesign>& advised = {});

@@ -154,10 +154,11 @@ Page page(const ExplorationView& view, const HeldDesigns& held, const DesignDeta
   body["details_text"] = details_text(view, details);
   return {title(view.report),
           render("exploration.mustache", body),
-          "exploration_labels.js exploration_charts.js exploration_parallel.js "
-          "exploration_state.js exploration_columns.js exploration_table.js "
+          "exploration_labels.js exploration_window.js exploration_charts.js "
+          "exploration_parallel.js "
+          "exploration_parts.js exploration_state.js exploration_columns.js exploration_table.js "
           "exploration_details.js exploration_cards.js exploration_panel.js "
-          "exploration_brushes.js exploration.js",
+          "exploration_finder.js exploration_brushes.js exploration_moves.js exploration.js",
           {{"objectives",
             objectives_json(page_objectives(view.report), cost_unit(view.report.options.prices))},
            {"ranking", ranking_json(view.report)},

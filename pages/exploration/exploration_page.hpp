@@ -19,7 +19,7 @@ namespace reeve::pages {
 
 inline constexpr std::size_t page_bytes = 4'900'000;
 inline constexpr std::size_t usual_schematics = 170;
-inline constexpr std::size_t usual_first_schematics = 170;
+inline constexpr std::size_t usual_first_schematics = 1000;
 
 struct ExplorationView {
   const ExploreReport& report;
@@ -28,8 +28,8 @@ struct ExplorationView {
   SolveDesign solve;
   // Of how many of the best designs the page has schematics, tensions and contacts, beside those of
   // the ladder and the known routings; if nobody says, as many as `usual_schematics` show in all
-  // grasps, and of `usual_first_schematics` more the first grasp's schematic. One costs as much
-  // time as evaluating tens of designs, and few are looked at.
+  // grasps, and of `usual_first_schematics` more the first grasp's schematic: as many as a list has
+  // that nobody made longer.
   std::optional<std::size_t> details;
 };
 

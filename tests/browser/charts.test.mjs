@@ -12,7 +12,7 @@ const pages = join(sources, "pages");
 const names = ["pareto", "parallel", "tensions", "ranks"];
 const read = (name) => JSON.parse(readFileSync(join(pages, "charts", `${name}.json`), "utf8"));
 const specifications = Object.fromEntries(names.map((name) => [name, read(name)]));
-const script = ["labels", "charts", "parallel"]
+const script = ["labels", "window", "charts", "parallel"]
   .map((part) => readFileSync(join(pages, `assets/exploration_${part}.js`), "utf8"))
   .join("\n");
 const { charts, lines: parallels, labels } = vm.runInNewContext(
@@ -83,7 +83,8 @@ test("a specification is filled anew each time, and the file's stays as it was",
   assert.equal(spec.encoding.x.title, "objective 0 (higher is better)");
   assert.equal(spec.encoding.y.title, "objective 2 (lower is better)");
   const params = Object.fromEntries(spec.params.map(({ name, value }) => [name, value]));
-  assert.deepEqual(plain(params), { present: ["listed", "on the front"] });
+  assert.deepEqual(plain(params.present), ["listed", "on the front"]);
+  assert.equal(params.reach.length, 4);
   const narrow = parallels.parallel({ data: many(300), width: 150 }).spec;
   assert.equal(narrow.params.find(({ name }) => name === "narrow").value, true);
   assert.equal(narrow.encoding.x.scale.domain[2], "objective 2 (turned)");
@@ -120,7 +121,7 @@ test("no axis reaches beyond what is possible, and counts have whole numbers", (
   data.designs.values[0][7] = 1;
   data.designs.values[2] = data.designs.values[2].map((value) => Math.round(9 * value));
   const { spec } = charts.pareto({ data, axes: [0, 2] });
-  const [low, high] = plain(spec.encoding.x.scale.domain);
+  const [low, high] = plain(spec.params.find(({ name }) => name === "reach").value);
   assert.equal(high, 1);
   assert.ok(low > 0.4 && low < 0.5, `${low}`);
   assert.equal(plain(spec.encoding.y.axis).tickMinStep, 1);
@@ -136,10 +137,29 @@ test("what has no value is a dash, and is drawn nowhere", () => {
   assert.equal(charts.cell({ unit: "1" }, null), "-");
   const { spec } = charts.pareto({ data, axes: [0, 1] });
   assert.ok(spec.datasets.points.every(({ row }) => row !== 5));
-  assert.ok(spec.encoding.x.scale.domain.every(Number.isFinite));
+  assert.ok(spec.params.find(({ name }) => name === "reach").value.every(Number.isFinite));
   const { points, spec: lines } = parallels.parallel({ data });
   assert.equal(points(5, {})[0].at, null);
   assert.equal(lines.datasets.density.reduce((sum, { count }) => sum + count, 0), 3 * 300 - 1);
+});
+
+// The same cases as in exploration_figures_test.cpp.
+test("about the front is the best tenth of both spreads, as far as the front reaches", () => {
+  const near = (places, better = "higher") => {
+    const [xs, ys] = [0, 1].map((axis) => places.map((place) => place[axis]));
+    const data = { objectives: objectives.map((one) => ({ ...one, better, least: null, greatest: null })), ranking: [0, 1], designs: {
+      word: places.map((_, i) => `M-${i + 1}-F`), name: places.map(() => ""), rank: places.map((_, i) => i + 1),
+      front: places.map(() => 2), kind: places.map(() => 0), values: [xs, ys, xs] } };
+    const { inside, near: window } = charts.pareto({ data, axes: [0, 1], view: "near" });
+    return window && inside;
+  };
+  const best = [[1, 1], [0.95, 0.95], [0.92, 0.99], [0.99, 0.91], [0.9, 0.93]];
+  const others = [[0, 0], [0.95, 0.5], [0.5, 0.95], [0.89, 0.99]];
+  const turned = (places) => places.map(([x, y]) => [-x, -y]);
+  assert.equal(near([...best, ...others]), 5);
+  assert.equal(near(turned([...best, ...others]), "lower"), 5);
+  assert.equal(near([[1, 0.5], [0.6, 1], [0.8, 0.8], [0.7, 0.6], [0.65, 0.55], [0, 0], [0.55, 0.9], [0.9, 0.45]]), 5);
+  assert.equal(near([[1, 1], [0.95, 0.95], [0, 0], [0.2, 0.1]]), null);
 });
 
 test("labels lie neither over each other nor beyond the frame", () => {
@@ -157,6 +177,9 @@ test("labels lie neither over each other nor beyond the frame", () => {
     assert.ok(a.left >= 0 && a.right <= 400 && a.top >= 0 && a.bottom <= 200);
     for (const b of boxes.slice(i + 1)) {
       assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top);
+    }
+    for (const { x, y } of wanted) {
+      assert.ok(a.right <= x - 10 || x + 10 <= a.left || a.bottom <= y - 10 || y + 10 <= a.top, "over a mark");
     }
   });
 });

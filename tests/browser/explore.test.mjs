@@ -36,6 +36,12 @@ describe("explore: the plot", () => {
   let faults;
   withExploration((opened) => ({ browser, page, faults } = opened));
 
+  test("all designs are one button away", async () => {
+    await page.locator("#view-all").click();
+    await settled(page);
+    assert.equal(await page.locator("#view-all").getAttribute("aria-pressed"), "true");
+  });
+
   async function lieWhereTheFileSays(marks, [x, y]) {
     for (const mark of marks) {
       const design = byWord.get(mark.word);

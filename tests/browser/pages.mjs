@@ -42,6 +42,7 @@ export const pages = [
   reeve("rank-hostile", () => ["rank", "X", "TR1", "TR5", "--data", hostileData(inputs)], {
     environment: hostileNames,
   }),
+  reeve("catalogue", () => ["catalogue"]),
   reeve("show", () => ["show", "TR5"]),
   reeve("show-bench", () => ["show", "M-F"]),
   reeve("show-wide", () => ["show", "1-P-2-P-3-P-4b-P-5b-P-6-P-1"]),

@@ -2,14 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/canonical.hpp"
+#include "core/mechanics.hpp"
+#include "core/network.hpp"
 #include "core/notation.hpp"
+#include "core/tension/tension.hpp"
 #include "tests/catalog/entry_text.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -38,6 +44,68 @@ TEST(ShippedCatalogue, HoldsTheSevenRoutingsInOrderWithTheirCanonicalWords) {
       {"TR1", "M-1-T-2-F"}, {"TR2", "M-1-T-2-M"}, {"TR3", "F-1-P-2-F"}, {"TR4", "M-1-P-2-F"},
       {"TR5", "M-1-P-2-M"}, {"TR6", "1-T-2-P-1"}, {"TR7", "1-P-2-P-1"}};
   EXPECT_EQ(found, expected);
+}
+
+// By the parts of the walk: so many ends M, and two sheaths for each P.
+TEST(ShippedCatalogue, HasTheSevenForMoreFingersWithTheSheathsOfTheirKind) {
+  const Catalogue catalogue = read_catalogue(REEVE_CATALOG_DIR);
+  const auto sheaths = [](const Routing& routing) {
+    const std::string word = to_word(routing);
+    return std::count(word.begin(), word.end(), 'M') +
+           2 * std::count(word.begin(), word.end(), 'P');
+  };
+  const std::vector<std::pair<std::string, std::function<int(int)>>> laws{
+      {"TR1", [](int) { return 1; }},
+      {"TR2", [](int) { return 2; }},
+      {"TR3", [](int n) { return 2 * (n - 1); }},
+      {"TR4", [](int n) { return 1 + 2 * (n - 1); }},
+      {"TR5", [](int n) { return 2 + 2 * (n - 1); }},
+      {"TR6", [](int n) { return n; }},
+      {"TR7", [](int n) { return 2 * n; }}};
+  for (const auto& [name, law] : laws) {
+    const std::vector<Routing> sizes = catalogue.sizes_of(name);
+    EXPECT_GT(sizes.size(), 1U) << name;
+    for (const Routing& size : sizes) EXPECT_EQ(sheaths(size), law(finger_count(size))) << name;
+  }
+}
+
+TEST(ShippedCatalogue, HasEachNumberOfFingersOfANameOnceAndInOrder) {
+  const Catalogue catalogue = read_catalogue(REEVE_CATALOG_DIR);
+  for (const Mechanism& mechanism : catalogue.mechanisms) {
+    const std::vector<Routing> sizes = catalogue.sizes_of(mechanism.name);
+    EXPECT_NE(std::find(sizes.begin(), sizes.end(), mechanism.routing), sizes.end());
+    for (std::size_t i = 1; i < sizes.size(); ++i) {
+      EXPECT_LT(finger_count(sizes[i - 1]), finger_count(sizes[i])) << mechanism.name;
+    }
+  }
+  EXPECT_TRUE(catalogue.sizes_of("Nobody").empty());
+}
+
+// Without friction each pulley halves what pulls it.
+TEST(ShippedCatalogue, HasTreesOfPulleysThatHalveAtEachStage) {
+  const Catalogue catalogue = read_catalogue(REEVE_CATALOG_DIR);
+  Hardware ideal;
+  ideal.tube.mu = ideal.bearing.mu = ideal.sheath.mu = 0;
+  const std::map<int, std::vector<double>> shares{{2, {1. / 2, 1. / 2}},
+                                                  {3, {1. / 4, 1. / 4, 1. / 2}},
+                                                  {4, {1. / 4, 1. / 4, 1. / 4, 1. / 4}},
+                                                  {5, {1. / 8, 1. / 8, 1. / 8, 1. / 8, 1. / 2}}};
+  for (const char* name : {"OpenHandModelT", "SouthamptonHand"}) {
+    const std::vector<Routing> sizes = catalogue.sizes_of(name);
+    ASSERT_EQ(sizes.size(), shares.size());
+    for (const Routing& size : sizes) {
+      const Network network = expand(size);
+      const TensionState state = tensions(network, mechanics(network, ideal), Grasp{});
+      std::vector<double> pulls;
+      for (std::size_t i = 0; i < network.segments.size(); ++i) {
+        if (network.segments[i].kind == SegmentKind::strand) pulls.push_back(state.tension[i]);
+      }
+      std::sort(pulls.begin(), pulls.end());
+      const std::vector<double>& expected = shares.at(finger_count(size));
+      ASSERT_EQ(pulls.size(), expected.size());
+      for (std::size_t i = 0; i < pulls.size(); ++i) EXPECT_NEAR(pulls[i], expected[i], 1e-4);
+    }
+  }
 }
 
 TEST(ShippedCatalogue, KeepsTheDigitsAsPrinted) {

@@ -17,7 +17,7 @@ TEST(CatalogueEntry, NamesThePlaceOfEveryMistakeInItsHead) {
       {"name = \"X\"\n",
        "x.toml:1:1: missing key 'word': expected the routing's word, such as \"M-1-T-2-F\""},
       {minimal + "wrod = 1\n",
-       "x.toml:3:1: unknown key 'wrod': expected one of name, word, title, source, notes, held, "
+       "x.toml:3:1: unknown key 'wrod': expected one of name, word, title, source, notes, like, held, "
        "table, lines, closed_form, fault, misprint; did you mean word?"},
       {"name = 7\n", "x.toml:1:8: name = 7: expected a text in quotes, not empty"},
       {"name = \"\"\n", "x.toml:1:8: name = \"\": expected a text in quotes, not empty"},

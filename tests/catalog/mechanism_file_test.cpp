@@ -44,6 +44,17 @@ TEST(MechanismFile, KeepsTheWordAsItIsSpeltBesideTheCanonicalRouting) {
   EXPECT_TRUE(mechanism.numbers.empty());
 }
 
+TEST(MechanismFile, HasTheMechanismForOtherNumbersOfFingers) {
+  const Mechanism mechanism = mechanism_of(mechanism_head + "like = [\"M-B-Y1-F+Y1-1x+M-2x\"]\n");
+  ASSERT_EQ(mechanism.like.size(), 1U);
+  EXPECT_EQ(finger_count(mechanism.like[0]), 2);
+  const std::string expected = "expected a word for a number of fingers that none before it has";
+  for (const char* like : {"[\"M-1-F\"]", "[\"M-1-T-2-F\", \"M-2-T-1-F\"]"}) {
+    const std::string error = mechanism_error(mechanism_head + "like = " + like + "\n");
+    EXPECT_NE(error.find(expected), std::string::npos) << error;
+  }
+}
+
 TEST(MechanismFile, ReadsExpressionsWhereAHardwareHasNumbers) {
   const Mechanism mechanism = mechanism_of(
       mechanism_head + "[hardware]\nbearing = { mu = \"-ln(0.8)/pi\" }\nsheath = { mu = 0 }\n");

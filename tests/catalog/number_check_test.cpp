@@ -193,7 +193,7 @@ TEST(Check, BelievesNoRepetitionThatIsNone) {
   ASSERT_NE(idle, nullptr);
   EXPECT_EQ(idle->status, CheckStatus::differs);
   EXPECT_EQ(edited.without_path(idle->reason),
-            "the listed fault 'repeats' (tr5.toml:44:1) explains no number that differs");
+            "the listed fault 'repeats' (tr5.toml:49:1) explains no number that differs");
 }
 
 TEST(Check, BelievesNoProportionThatIsNone) {

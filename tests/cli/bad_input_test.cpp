@@ -51,7 +51,26 @@ TEST(BadRouting, IsShortenedInTheMessageIfItIsHuge) {
 
 TEST(BadShowOption, IsNamedWithItsValueAndWhatWasExpected) {
   expect_all_bad({
-      {"show", "routing is required"},
+      {"show", "routing is required, or --like and --fingers; see reeve show --help"},
+      {"show --like TR7", "--like requires --fingers"},
+      {"show --fingers 3", "--fingers requires --like"},
+      {"show TR1 --like TR7 --fingers 3", "routing excludes --like"},
+      {"show --like TR6 --fingers 3",
+       "--fingers '3': expected one of 2, 4: the catalogue has TR6 for no other number"},
+      {"show --like ZRig --fingers 2",
+       "--fingers '2': expected 1: the catalogue has ZRig for no other number"},
+      {"show --like SDMHnd --fingers 4",
+       "--like 'SDMHnd': expected a name of the catalogue, which reeve catalogue lists; did you "
+       "mean SDMHand?"},
+      {"show TR5 --svg out/x.PDF",
+       "--svg 'out/x.PDF': expected a file of SVG, such as 'out/x.svg'; rsvg-convert -f pdf or "
+       "Inkscape converts it"},
+      {"check --svg x.png", "--svg 'x.png': expected a file of SVG, such as 'x.svg'"},
+      {"import log.csv --plot x.pdf", "--plot 'x.pdf': expected a file of SVG, such as 'x.svg'"},
+      {"catalogue --family none",
+       "--family 'none': expected one of paper, benches, gloves, hands, hauls, tackles"},
+      {"catalogue --fingers 64",
+       "--fingers '64': expected a number of fingers that something in the catalogue has"},
       {"show TR1 --held 3",
        "held '3': '3': expected none, or finger numbers from 1 to 2 such as 1,2"},
       {"show TR1 --held 1,1", "held '1,1': finger 1 is named twice"},
@@ -251,7 +270,6 @@ TEST(BadUsage, PointsToTheHelp) {
       {"--frobnicate", "unexpected --frobnicate; see reeve --help"},
       {"count --frobnicate", "count: unexpected --frobnicate; see reeve count --help"},
       {"count --tendons one", "--tendons one; see reeve count --help"},
-      {"show", "routing is required; see reeve show --help"},
       {"count --fingers 65", "--fingers: Value 65 not in range 1 to 64"},
       {"count --fingers 64", "more than 2^63 routings"},
       {"count --parts all --fingers 30", "--fingers 30: these parts"},

@@ -25,7 +25,7 @@ const SubcommandText* find(const std::vector<SubcommandText>& texts, const std::
 TEST(SubcommandTexts, AreAllOfTheHelp) {
   const std::string help = testing::reeve("--help").out;
   const std::vector<SubcommandText> texts = subcommand_texts();
-  EXPECT_EQ(texts.size(), 12U);
+  EXPECT_EQ(texts.size(), 13U);
   for (const SubcommandText& text : texts) {
     EXPECT_TRUE(has(help, "\n  " + text.name + " ")) << text.name;
     EXPECT_FALSE(text.options.empty()) << text.name;

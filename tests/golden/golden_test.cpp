@@ -112,6 +112,10 @@ TEST(GoldenCheck, OfTheShippedCatalogue) {
   expect_json(output_of({"check", "--format", "json"}), "check.json");
 }
 
+TEST(GoldenCatalogue, OfTheHands) {
+  expect_json(output_of({"catalogue", "--family", "hands", "--format", "json"}), "catalogue.json");
+}
+
 TEST(GoldenCompare, OfReadingsWithAndWithoutMotorTension) {
   const TemporaryFolder folder;
   ProcessOptions options;

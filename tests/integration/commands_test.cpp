@@ -231,8 +231,8 @@ TEST(Help, MentionsEveryOption) {
       "--model --format --ladder --within --cost --sweep --columns --text-width");
   std::vector<std::pair<std::string, Arguments>> commands{
       {"show",
-       {"routing", "--held", "--direction", "--svg", "--out", "--hardware", "--model", "--cost",
-        "--format"}},
+       {"routing", "--like", "--fingers", "--held", "--direction", "--svg", "--out", "--hardware",
+        "--model", "--cost", "--format"}},
       {"rank",
        {"routing", "--catalog", "--family", "--margin", "--fingers", "--out", "--data",
         "--distributions", "--map", "--unit", "--group", "--store", "--constraint", "--top"}},
@@ -241,6 +241,7 @@ TEST(Help, MentionsEveryOption) {
         "--store-every", "--keep", "--target"}},
       {"count", {"--constraint", "--format"}},
       {"check", {"--family", "--svg", "--format"}},
+      {"catalogue", {"--family", "--fingers", "--out", "--format"}},
       {"compare",
        {"data", "--out", "--map", "--unit", "--group", "--hardware", "--model", "--format"}},
       {"diagnose",

@@ -71,6 +71,57 @@ TEST(FrontEdge, GoesThroughWhatNoneBeatsWhicheverWayIsBetter) {
   EXPECT_EQ(edge(lower, higher), (Corners{{1, 0}, {1, 3}, {4, 3}}));
 }
 
+std::vector<PageDesign> at_places(const std::vector<std::pair<double, double>>& places) {
+  std::vector<PageDesign> all;
+  for (const auto& [x, y] : places) {
+    PageDesign design;
+    design.word = "M-" + std::to_string(all.size() + 1) + "-F";
+    value(design.values, Objective::uniformity_mean) = x;
+    value(design.values, Objective::efficiency_mean) = y;
+    all.push_back(design);
+  }
+  return all;
+}
+
+// The spread is 1 both ways and (1, 1) beats all, so that the window begins at 0.9.
+TEST(AboutTheFront, IsTheBestTenthOfBothSpreads) {
+  const std::vector<std::pair<double, double>> best{
+      {1, 1}, {0.95, 0.95}, {0.92, 0.99}, {0.99, 0.91}, {0.9, 0.93}};
+  std::vector<std::pair<double, double>> places = best;
+  places.insert(places.end(), {{0, 0}, {0.95, 0.5}, {0.5, 0.95}, {0.89, 0.99}});
+  const std::vector<PageDesign> near = about_the_front(at_places(places), usual);
+  ASSERT_EQ(near.size(), best.size());
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    EXPECT_EQ(value(near[i].values, Objective::uniformity_mean), best[i].first);
+  }
+}
+
+TEST(AboutTheFront, ReachesAsFarAsTheFrontDoes) {
+  const std::vector<std::pair<double, double>> places{
+      {1, 0.5}, {0.6, 1}, {0.8, 0.8}, {0.7, 0.6}, {0.65, 0.55}, {0, 0}, {0.55, 0.9}, {0.9, 0.45}};
+  EXPECT_EQ(about_the_front(at_places(places), usual).size(), 5U);
+}
+
+TEST(AboutTheFront, IsNoneWhereHardlyAnythingLiesThere) {
+  EXPECT_TRUE(about_the_front({}, usual).empty());
+  EXPECT_TRUE(
+      about_the_front(at_places({{1, 1}, {0.95, 0.95}, {0, 0}, {0.2, 0.1}}), usual).empty());
+  const std::vector<std::pair<double, double>> same(9, {0.5, 0.5});
+  EXPECT_TRUE(about_the_front(at_places(same), usual).empty());
+}
+
+TEST(ParetoFigure, HasAPanelOfItsOwnAboutTheFront) {
+  const std::vector<PageDesign> all = designs(explored(small_options(3)));
+  const std::vector<PageDesign> near = about_the_front(all, usual);
+  ASSERT_GT(near.size(), 4U);
+  ASSERT_LT(near.size(), all.size());
+  const auto panels = read_chart(
+      pareto_figure(all, {Objective::uniformity_mean, Objective::efficiency_mean}).figure.svg);
+  ASSERT_EQ(panels.size(), 2U);
+  EXPECT_EQ(panels[0].marks("points").size(), thinned(all, usual, of_two_panels).size());
+  EXPECT_EQ(panels[1].marks("points").size(), thinned(near, usual, of_two_panels).size());
+}
+
 TEST(ParetoFigure, PutsEveryMarkWhereItsDesignIs) {
   const ExploreReport report = explored(small_options());
   const std::vector<PageDesign> all = designs(report);

@@ -1,0 +1,80 @@
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/command_line.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/inputs.hpp"
+#include "cli/printing.hpp"
+#include "core/error.hpp"
+#include "pages/pages.hpp"
+#include "pages/shell/result_files.hpp"
+#include "reports/catalogue_report.hpp"
+#include "studies/catalogue_list.hpp"
+
+namespace reeve::cli {
+namespace {
+
+struct CatalogueFlags {
+  FamilyOption family;
+  std::optional<int> fingers;
+  OutOption out;
+  FormatOption format;
+};
+
+void add_options(CLI::App& command, CatalogueFlags& flags) {
+  flags.family.add_to(command,
+                      "One family of the catalogue alone: paper, or a folder of families/");
+  command.add_option("--fingers", flags.fingers, "Only those of so many fingers")
+      ->check(CLI::Range(1, max_fingers));
+  flags.out.add_to(command,
+                   "a page with a drawing of each, index.html, with catalogue.json and "
+                   "figures/");
+  flags.format.add_to(command, with_tables({"json"}));
+}
+
+std::vector<ListedMechanism> listed(const CatalogueFlags& flags) {
+  const Catalogue catalogue = shipped_catalogue();
+  std::vector<ListedMechanism> list = catalogue_list(catalogue, CatalogueFiles::shipped(),
+                                                     flags.family.read(catalogue), flags.fingers);
+  if (!list.empty()) return list;
+  throw InputError({.what = "--fingers",
+                    .value = std::to_string(*flags.fingers),
+                    .expected = "a number of fingers that something in the catalogue has"});
+}
+
+void write_page(const std::filesystem::path& folder, const std::vector<ListedMechanism>& list,
+                const CLI::App& command) {
+  const PageFiles page = catalogue_page(list, command_line(command, {"--format"}));
+  const std::string json = catalogue_json(list);
+  write_result(folder, {{}, page.figures, {{"index.html", page.html}, {"catalogue.json", json}}},
+               result_stamp(json));
+}
+
+void run(const CatalogueFlags& flags, const CLI::App& command) {
+  const std::vector<ListedMechanism> list = listed(flags);
+  std::filesystem::path folder;
+  if (flags.out.is_given()) {
+    folder = flags.out.prepare();
+    write_page(folder, list, command);
+  }
+  std::cout << (flags.format.is("json") ? catalogue_json(list)
+                                        : printed(catalogue_sheet(list), flags.format));
+  if (flags.out.is_given()) {
+    std::cout << announced("index.html, catalogue.json and figures", folder, flags.format);
+  }
+}
+
+}  // namespace
+
+void add_catalogue(CLI::App& program, int&) {
+  CLI::App* command = program.add_subcommand(
+      "catalogue", "Known routings and mechanisms by name, with their words and drawings");
+  auto flags = std::make_shared<CatalogueFlags>();
+  add_options(*command, *flags);
+  command->callback([flags, command] { run(*flags, *command); });
+}
+
+}  // namespace reeve::cli
