@@ -10,14 +10,19 @@
 namespace reeve::diagnosis {
 namespace {
 
-std::optional<PartialResiduals> partial_of(const Sample& sample, const Problem& problem,
-                                           const Extended& with, const Scatter& scatter,
-                                           Workers& workers) {
-  if (!try_forecast(sample.training, with.model)) return std::nullopt;
+Lead lead(const Sample& sample, const Problem& problem, const Model& model,
+          const ScreenedLaw& law, const Scatter& scatter, Workers& workers) {
+  const Effect screened = causes::with_crossing_held(law.effect);
+  Lead result{screened, law.evidence, std::nullopt};
+  const Fit fitted = fit(problem, extended(model, screened).model, Precision::to_compare);
+  if (!has_tensions(fitted)) return result;
+  const std::size_t at = place(fitted.model, screened);
+  result.effect = fitted.model.effects[at];
   const auto spreads =
-      effect_spreads(problem, with.model, parameter_intervals(problem, with.model));
-  return partial_residuals(sample, with.model, scatter, with.effect, spreads[with.effect],
-                           workers);
+      effect_spreads(problem, fitted.model, parameter_intervals(problem, fitted.model));
+  result.partial =
+      partial_residuals(sample, fitted.model, scatter, at, spreads[at], workers);
+  return result;
 }
 
 }  // namespace
@@ -38,10 +43,7 @@ std::vector<Lead> leads(const Sample& sample, const Problem& problem, const Mode
   std::vector<Lead> result;
   for (const ScreenedLaw& law : screening.best(
            problem, at, projection, projection.taken_out(residuals(problem, at)), most_leads)) {
-    if (!(law.evidence > 0)) continue;
-    const Effect effect = causes::with_crossing_held(law.effect);
-    result.push_back({effect, law.evidence,
-                      partial_of(sample, problem, extended(model, effect), scatter, workers)});
+    result.push_back(lead(sample, problem, model, law, scatter, workers));
   }
   std::stable_partition(result.begin(), result.end(),
                         [](const Lead& lead) { return is_of_one_place(lead.effect); });

@@ -19,8 +19,8 @@ using Eigen::VectorXd;
 
 constexpr double covered_by_band = 0.95;
 constexpr std::size_t curve_points = 41;
-// Times the middle deviation of all points.
-constexpr double most_deviation = 4;
+// Times the middle deviation.
+constexpr double most_deviation = 6;
 constexpr std::size_t most_points = 500;
 constexpr std::uint32_t thinning_stream = 0x9a7;
 // Of the range of a size, or of a law's own unit: small beside what bends forecasts, and great
@@ -151,12 +151,19 @@ bool is_changed(const PartialPoint& point, const TermAxes& axes) {
   return axes.over != DrawnOver::change || std::abs(point.x) > noticeable * point.deviation;
 }
 
+// Half of what the points know together comes from those that are known better than this.
 double middle_deviation(const std::vector<PartialPoint>& points) {
   std::vector<double> deviations;
   for (const PartialPoint& point : points) deviations.push_back(point.deviation);
-  const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
-  std::nth_element(deviations.begin(), middle, deviations.end());
-  return *middle;
+  std::sort(deviations.begin(), deviations.end());
+  double all = 0;
+  for (const double deviation : deviations) all += 1 / (deviation * deviation);
+  double known = 0;
+  for (const double deviation : deviations) {
+    known += 1 / (deviation * deviation);
+    if (known >= all / 2) return deviation;
+  }
+  return deviations.back();
 }
 
 void leave_out_faint(PartialResiduals& partial) {
@@ -219,8 +226,11 @@ std::vector<CurvePoint> curve(const TermAxes& axes, const Effect& effect,
   const auto [least, greatest] = std::minmax_element(
       points.begin(), points.end(),
       [](const PartialPoint& a, const PartialPoint& b) { return a.x < b.x; });
-  const double low = least->x;
-  const double high = greatest->x;
+  // Of points that all stand at one place, a short piece of it.
+  constexpr double short_piece = 0.05;
+  const double beyond = least->x == greatest->x ? short_piece * std::abs(least->x) : 0;
+  const double low = least->x - beyond;
+  const double high = greatest->x + beyond;
   std::vector<CurvePoint> result;
   for (std::size_t i = 0; i < curve_points; ++i) {
     const double x =

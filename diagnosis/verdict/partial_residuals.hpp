@@ -12,8 +12,9 @@
 // Var f = gᵀ C g, g = df/dθ, C the covariance of the term's parameters at their intervals'
 // standard errors.
 //
-// Readings that hardly depend on the term say nothing of it: those known to no better than 4 times
-// the middle d are left out, and counted. Of more than 500 points 500 are kept, by a fixed rule.
+// Readings that hardly depend on the term say nothing of it: those with more than 6 times the d
+// below which half of all 1/d² lies are left out, and counted. Of more than 500 points 500 are
+// kept, by a fixed rule.
 //
 // Source: W. A. Larsen, S. J. McCleary, Technometrics 14 (1972) 781; R. D. Cook, Technometrics 35
 // (1993) 351.

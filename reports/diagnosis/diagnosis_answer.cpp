@@ -200,8 +200,26 @@ std::string rows_line(const DiagnosisResult& result) {
   return result.row_scatter ? row_sentence(result) + "\n" : "";
 }
 
-// Of structure in the residuals; what stands apart has no part in those of all readings.
+// Root of the mean squared residual in this run, and in all others.
+std::string size_in_run(const DiagnosisReport& report, const std::string& run) {
+  double squares[2] = {0, 0};
+  double counts[2] = {0, 0};
+  for (const ComparedCell& cell : report.result.cells) {
+    const Reading& reading = report.data.readings[cell.cell.reading];
+    const std::size_t other = report.data.runs[reading.run] == run ? 0 : 1;
+    squares[other] += std::pow(cell.cell.measured_N - cell.after_N, 2);
+    counts[other] += 1;
+  }
+  if (counts[0] == 0 || counts[1] == 0) return "";
+  return fmt::format("residuals of {} there, {} in other runs; ",
+                     newton(std::sqrt(squares[0] / counts[0])),
+                     newton(std::sqrt(squares[1] / counts[1])));
+}
+
 std::string size_of(const DiagnosisReport& report, const Unexplained& left) {
+  if (left.about == "run" && !report.result.apart.empty()) {
+    return size_in_run(report, report.result.apart.front().run);
+  }
   for (const StructureFinding& finding : report.result.structure) {
     if (finding.about != left.about) continue;
     return part_of_residuals(report, structure_N(report, finding)) + "; ";
