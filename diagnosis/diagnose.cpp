@@ -18,6 +18,7 @@
 #include "diagnosis/search/candidates.hpp"
 #include "diagnosis/search/term_search.hpp"
 #include "diagnosis/verdict/channel_units.hpp"
+#include "diagnosis/verdict/explained.hpp"
 #include "diagnosis/verdict/folds.hpp"
 #include "diagnosis/verdict/other_direction.hpp"
 #include "diagnosis/verdict/outlier_forecasts.hpp"
@@ -69,10 +70,13 @@ class Diagnosis {
       if (!stopped("comparing groups")) compare_groups();
     }
     if (stop_) return std::nullopt;
-    describe(result_.causes, found_.model, nominal_.hardware,
-             parameter_intervals(found_.problem, found_.model, found_.mounting_degrees()),
-             force_scale(data_));
+    const auto intervals =
+        parameter_intervals(found_.problem, found_.model, found_.mounting_degrees());
+    describe(result_.causes, found_.model, nominal_.hardware, intervals, force_scale(data_));
+    add_partial_residuals(intervals);
     note_runs_apart();
+    if (stopped("looking for leads")) return std::nullopt;
+    find_leads();
     // Where nothing is named the hardware stands, and its coefficients with it.
     if (result_.causes.empty()) result_.model = nominal_;
     decide();
@@ -289,6 +293,7 @@ class Diagnosis {
     result_.model = found_.model;
     result_.p_value = std::min(1.0, std::exp(-found_.best_refused));
     result_.most_causes = found_.most_causes;
+    std::vector<NamedWithOthers> named;
     for (std::size_t i = 0; i < found_.calibrations.size(); ++i) {
       const Calibration& calibration = found_.calibrations[i];
       CalibratedCoefficient coefficient{effect_name(calibration.effect),
@@ -296,17 +301,60 @@ class Diagnosis {
                                                   nominal_.hardware, force_scale(data_)),
                                         resolved(calibration.p_value), calibration.differs};
       if (coefficient.differs) {
-        NamedCause cause = named_cause(calibration.effect, coefficient.p_value);
-        note_alternatives(cause, found_.instead[i]);
-        result_.causes.push_back(std::move(cause));
+        named.push_back(
+            {named_cause(calibration.effect, coefficient.p_value), &found_.instead[i]});
         result_.p_value = std::min(result_.p_value, coefficient.p_value);
       }
       result_.calibration.push_back(std::move(coefficient));
     }
-    for (const AcceptedTerm& accepted : found_.accepted) take_over(accepted);
+    for (const AcceptedTerm& accepted : found_.accepted) take_over(accepted, named);
+    weigh_by_residuals(named);
+    for (NamedWithOthers& each : named) {
+      note_alternatives(each.cause, *each.others);
+      result_.causes.push_back(std::move(each.cause));
+    }
   }
 
-  void take_over(const AcceptedTerm& accepted) {
+  struct NamedWithOthers {
+    NamedCause cause;
+    const std::vector<Alternative>* others;
+  };
+
+  // What explains most of the residuals comes first.
+  void weigh_by_residuals(std::vector<NamedWithOthers>& named) {
+    std::vector<Effect> terms;
+    for (const NamedWithOthers& each : named) terms.push_back(each.cause.effect);
+    const ExplainedResiduals by = explained_residuals(sample_, nominal_, result_.model, terms);
+    result_.residual_before_N = by.before_N;
+    result_.residual_after_N = by.after_N;
+    for (std::size_t i = 0; i < named.size(); ++i) named[i].cause.explained = by.terms[i];
+    std::stable_sort(named.begin(), named.end(),
+                     [](const NamedWithOthers& a, const NamedWithOthers& b) {
+                       return a.cause.explained.share > b.cause.explained.share;
+                     });
+  }
+
+  // Over what each named term follows, beside its fitted law.
+  void add_partial_residuals(const std::vector<std::vector<ParameterInterval>>& intervals) {
+    if (result_.causes.empty()) return;
+    const auto spreads = effect_spreads(found_.problem, found_.model, intervals);
+    for (NamedCause& cause : result_.causes) {
+      cause.partial = partial_residuals(
+          sample_, result_.model, found_.scatter, place(result_.model, cause.effect),
+          spreads[place(found_.model, cause.effect)], workers_);
+    }
+  }
+
+  // Beside what the readings alone tell of the coefficients, if nothing is named.
+  void find_leads() {
+    const bool is_asked = result_.unexplained || !result_.not_confirmed.empty() ||
+                          result_.structure_p_value <= options_.alpha;
+    if (too_few_ || !is_asked) return;
+    const Model& model = result_.causes.empty() ? found_.base : result_.model;
+    result_.leads = leads(sample_, found_.problem, model, found_.scatter, workers_);
+  }
+
+  void take_over(const AcceptedTerm& accepted, std::vector<NamedWithOthers>& named) {
     if (const std::string run = run_apart(accepted); !run.empty()) {
       result_.apart.push_back({run, accepted.effect, accepted.evidence});
       result_.model = without(result_.model, place(result_.model, accepted.effect));
@@ -317,8 +365,7 @@ class Diagnosis {
     cause.evidence = accepted.evidence;
     cause.probability = accepted.probability;
     cause.folds = accepted.folds;
-    note_alternatives(cause, accepted.alternatives);
-    result_.causes.push_back(std::move(cause));
+    named.push_back({std::move(cause), &accepted.alternatives});
   }
 
   void note_alternatives(NamedCause& cause, const std::vector<Alternative>& alternatives) {

@@ -12,10 +12,13 @@
 #include "diagnosis/fit/mounting_scatter.hpp"
 #include "diagnosis/plan/next_measurement.hpp"
 #include "diagnosis/verdict/compared_cell.hpp"
+#include "diagnosis/verdict/explained.hpp"
 #include "diagnosis/verdict/group_estimates.hpp"
 #include "diagnosis/verdict/held_out.hpp"
+#include "diagnosis/verdict/leads.hpp"
 #include "diagnosis/verdict/left_out.hpp"
 #include "diagnosis/verdict/losses.hpp"
+#include "diagnosis/verdict/partial_residuals.hpp"
 #include "diagnosis/verdict/row_scatter.hpp"
 #include "diagnosis/verdict/share_error.hpp"
 #include "diagnosis/verdict/structure.hpp"
@@ -59,6 +62,8 @@ struct NamedCause {
   Effect effect;
   std::vector<EstimatedParameter> parameters;
   double p_value = 1;  // at most: under a model without it evidence rises so far by chance
+  Explained explained;
+  std::optional<PartialResiduals> partial{};  // nothing if no reading depends on it
   // The rest is nothing of a coefficient.
   std::optional<HeldOut> held_out{};    // with this cause over without it, all others kept
   std::optional<double> evidence{};     // nats above the model without it
@@ -89,7 +94,7 @@ struct Unexplained {
 
 struct DiagnosisResult {
   Verdict verdict = Verdict::none;
-  std::vector<NamedCause> causes;
+  std::vector<NamedCause> causes;  // what explains most of the residuals first
   std::vector<std::vector<std::string>> indistinguishable;
   // Between the first two of the first group.
   std::optional<PlannedMeasurement> separating_measurement;
@@ -97,6 +102,9 @@ struct DiagnosisResult {
   std::optional<PlannedMeasurement> next_measurement;
   std::optional<Unexplained> unexplained;
   std::vector<StructureFinding> structure;  // after the named causes
+  std::vector<Lead> leads;                  // where structure is left, or a term is not confirmed
+  double residual_before_N = 0;             // root mean square, of all readings
+  double residual_after_N = 0;
   std::optional<HeldOut> held_out;          // all causes over none
   std::vector<CalibratedCoefficient> calibration;
   std::vector<RunApart> apart;

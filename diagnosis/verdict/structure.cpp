@@ -279,7 +279,9 @@ StructureResult find_structure(const Problem& problem, const std::vector<Structu
       greatest[b] = std::max(greatest[b], (null[t][b] - mean) / deviation);
     }
     observed = std::max(observed, here);
-    result.findings.push_back({tests[t].about, here, p_value(measured, null[t])});
+    const double by_chance = sample.array().cube().mean();
+    const double share = std::max(0.0, std::pow(measured, 3) - by_chance);
+    result.findings.push_back({tests[t].about, here, p_value(measured, null[t]), share});
   }
   std::stable_sort(result.findings.begin(), result.findings.end(),
                    [](const auto& a, const auto& b) { return a.statistic > b.statistic; });

@@ -41,6 +41,7 @@ struct StructureFinding {
   std::string about;
   double statistic = 0;  // in standard deviations of the null model
   double p_value = 1;    // of this test alone
+  double share = 0;      // of the mean square of the residuals, above what chance gives
 };
 
 struct StructureResult {

@@ -20,6 +20,10 @@ Figure compared_logarithmic_figure(const DiagnosisReport& report,
 Figure residual_figure(const DiagnosisReport& report, const std::vector<ReadingMark>& marks,
                        const MarkColumn& column);
 
+// What each reading by itself says of a term, over what the term follows, with the fitted curve.
+Figure partial_figure(const DiagnosisReport& report, const std::string& id,
+                      const std::string& name, const PartialResiduals& partial);
+
 // Each weighed model's gain on held-out runs, beside what the noise allows; on the training runs
 // where none were held out.
 Figure weighed_figure(const DiagnosisReport& report);

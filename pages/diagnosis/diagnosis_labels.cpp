@@ -21,11 +21,9 @@ Causes names_of(const std::vector<NamedCause>& causes) {
 // The models in which one of a group's names stands in the place of the first.
 bool is_equivalent(const DiagnosisResult& result, const Causes& model) {
   for (const Causes& group : result.indistinguishable) {
-    Causes others = names_of(result.causes);
-    std::erase(others, group.front());
     for (std::size_t i = 1; i < group.size(); ++i) {
-      Causes equivalent{group[i]};
-      equivalent.insert(equivalent.end(), others.begin(), others.end());
+      Causes equivalent = names_of(result.causes);
+      std::replace(equivalent.begin(), equivalent.end(), group.front(), group[i]);
       if (model == equivalent) return true;
     }
   }

@@ -13,6 +13,7 @@
 #include "pages/shell/template.hpp"
 #include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_evidence.hpp"
+#include "reports/diagnosis/diagnosis_words.hpp"
 
 namespace reeve::pages {
 namespace {
@@ -49,6 +50,32 @@ Json residual_figures(const DiagnosisReport& report, const MarkColumns& columns,
     list.push_back({{"html", figures.add(residual_figure(report, drawn, column))}});
   }
   return list;
+}
+
+// One for each named term that some reading depends on.
+Json partial_figures(const DiagnosisReport& report, Figures& figures) {
+  Json list = Json::array();
+  const std::vector<NamedCause>& causes = report.result.causes;
+  for (std::size_t i = 0; i < causes.size(); ++i) {
+    if (!causes[i].partial) continue;
+    const std::string id = fmt::format("partial-{}", i + 1);
+    list.push_back({{"html", figures.add(partial_figure(report, id, causes[i].name,
+                                                        *causes[i].partial))}});
+  }
+  return list.empty() ? Json(nullptr) : Json{{"figures", std::move(list)}};
+}
+
+Json lead_figures(const DiagnosisReport& report, Figures& figures) {
+  Json list = Json::array();
+  const std::vector<Lead>& leads = report.result.leads;
+  for (std::size_t i = 0; i < leads.size(); ++i) {
+    if (!leads[i].partial) continue;
+    list.push_back({{"html", figures.add(partial_figure(report, fmt::format("lead-{}", i + 1),
+                                                        capitalised(lead_text(leads[i])),
+                                                        *leads[i].partial))}});
+  }
+  if (leads.empty()) return nullptr;
+  return {{"sentence", leads_sentence(report)}, {"figures", std::move(list)}};
 }
 
 // The tensions are for one newton at the motor, as everywhere in schematics.
@@ -165,6 +192,8 @@ PageFiles diagnosis_page(const DiagnosisPageInput& input) {
   values["compared"] = figures.add(compared_figure(report, many));
   values["compared_logarithmic"] = figures.add(compared_logarithmic_figure(report, many));
   values["residuals"] = residual_figures(report, columns, few, figures);
+  values["partial"] = partial_figures(report, figures);
+  values["leads"] = lead_figures(report, figures);
   values["structure"] = structure_values(report, columns);
   values["structure"]["thinned"] = thinned_text(report, few.size());
   values["causes"] = cause_values(report);

@@ -62,6 +62,30 @@ bool separates_causes(const DiagnosisResult& result) {
          !result.indistinguishable.empty();
 }
 
+std::string findings_table(const DiagnosisReport& report) {
+  constexpr std::size_t most = 6;
+  const std::vector<NamedCause>& causes = report.result.causes;
+  Table table{{text_column("finding"), number_column("explains"), number_column("share"),
+               text_column("size, 95 % interval"), number_column("p")},
+              {}};
+  for (std::size_t i = 0; i < causes.size() && i < most; ++i) {
+    const NamedCause& cause = causes[i];
+    const std::string size =
+        cause.parameters.empty() ? cause.detail
+                                 : fmt::format("{} = {} ({})", cause.parameters.front().name,
+                                               estimate(cause.parameters.front(),
+                                                        cause.parameters.front().value),
+                                               interval_of(cause.parameters.front()));
+    table.add({cause.name, part_of_residuals(report, cause.explained.rms_N),
+               fine_percent_text(cause.explained.share), size,
+               p_number(cause.p_value, report.settings.replicates)});
+  }
+  std::string caption =
+      "What each explains of the residuals' root mean square, added from the greatest on";
+  if (causes.size() > most) caption += fmt::format("; {} more below", causes.size() - most);
+  return written({"findings", caption, std::move(table)});
+}
+
 std::string sizes_table(const DiagnosisResult& result) {
   Table table{{text_column("cause"), text_column("parameter"), number_column("estimate"),
                number_column("95 % interval"), number_column("nominal"),
@@ -136,11 +160,12 @@ std::string gains_table(const DiagnosisResult& result) {
 
 std::string structure_table(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
-  Table table{{text_column("residuals follow"), number_column("deviations from chance"),
-               number_column("p of this alone")},
+  Table table{{text_column("residuals follow"), number_column("size"),
+               number_column("deviations from chance"), number_column("p of this alone")},
               {}};
   for (const StructureFinding& finding : result.structure) {
-    table.add({pattern_text(report, finding.about), fixed(finding.statistic, 1),
+    table.add({pattern_text(report, finding.about),
+               part_of_residuals(report, structure_N(report, finding)), fixed(finding.statistic, 1),
                p_number(finding.p_value, report.settings.replicates)});
   }
   return written({"structure",

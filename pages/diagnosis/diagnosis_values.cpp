@@ -20,7 +20,7 @@ Json sentences(const std::string& text) {
   std::istringstream in(text);
   in.exceptions(std::ios::badbit);  // no memory is no end of the text
   for (std::string line; std::getline(in, line);) {
-    if (!line.empty()) list.push_back({{"text", line}, {"first", list.empty()}});
+    if (!line.empty()) list.push_back({{"text", line}});
   }
   return list;
 }
@@ -108,10 +108,14 @@ const char* source_text(NoiseSource source) {
 
 Json answer_values(const DiagnosisReport& report) {
   const VerdictLabel label = verdict_label(report);
+  const std::string answer = diagnosis_answer(report);
+  const std::size_t end = answer.find('\n');
   return {{"verdict", verdict_name(report.result.verdict)},
           {"words", label.words},
           {"shape_" + label.shape, true},
-          {"sentences", sentences(diagnosis_answer(report))}};
+          {"lead", answer.substr(0, end)},
+          {"findings", findings_table(report)},
+          {"sentences", sentences(answer.substr(end) + further_answer(report))}};
 }
 
 Json cause_values(const DiagnosisReport& report) {

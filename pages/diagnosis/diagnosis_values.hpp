@@ -25,6 +25,8 @@ Json data_values(const DiagnosisPageInput& input);
 
 // Tables as HTML; "" of those that have no row.
 
+// The named terms, at most six, by what each explains of the residuals.
+std::string findings_table(const DiagnosisReport& report);
 std::string sizes_table(const DiagnosisResult& result);
 // What the free friction coefficients came to, whether or not they are causes.
 std::string calibration_table(const DiagnosisResult& result);

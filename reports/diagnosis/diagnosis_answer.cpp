@@ -64,8 +64,8 @@ std::string weak_structure_text(const DiagnosisReport& report) {
   const StructureFinding& strongest = report.result.structure.front();
   const double threshold = structure_share_of_alpha * report.settings.alpha;
   return fmt::format(
-      "Weak structure remains by {}, {} deviations above chance ({}), {}",
-      pattern_text(report, strongest.about), fixed(strongest.statistic, 1),
+      "Weak structure remains by {}: {} ({}), {}", pattern_text(report, strongest.about),
+      part_of_residuals(report, structure_N(report, strongest)),
       p_text(report.result.structure_p_value, report.settings.replicates),
       report.result.structure_p_value < threshold
           ? std::string("but readings scatter hardly more than any smooth law leaves")
@@ -83,14 +83,26 @@ bool cannot_be_told_apart(const DiagnosisResult& result, const std::string& name
                      [&](const auto& names) { return names.front() == name; });
 }
 
-// One line for each cause that stands alone.
-std::string cause_lines(const DiagnosisResult& result) {
+std::string explains_text(const DiagnosisReport& report, const NamedCause& cause) {
+  if (!(report.result.residual_before_N > 0)) return "";
+  return fmt::format(" It explains {}.", part_of_residuals(report, cause.explained.rms_N));
+}
+
+// One line for each cause that stands alone, what explains most first; the table has all.
+std::string cause_lines(const DiagnosisReport& report) {
+  constexpr std::size_t most_lines = 3;
+  const DiagnosisResult& result = report.result;
   std::string text;
+  std::size_t lines = 0;
   for (const NamedCause& cause : result.causes) {
-    if (cannot_be_told_apart(result, cause.name)) continue;
-    text += capitalised((text.empty() ? "" : "besides, ") + cause_sentence(cause)) + ".\n";
+    if (cannot_be_told_apart(result, cause.name) || ++lines > most_lines) continue;
+    text += capitalised((text.empty() ? "" : "besides, ") + cause_sentence(cause)) + "." +
+            explains_text(report, cause) + "\n";
   }
-  return text;
+  if (lines <= most_lines) return text;
+  return text + fmt::format("{} less: see the table.\n",
+                            plural(lines - most_lines, "further cause") +
+                                (lines - most_lines == 1 ? " explains" : " explain"));
 }
 
 std::string names_text(const std::vector<std::string>& names) {
@@ -109,7 +121,8 @@ std::string indistinguishable_lines(const DiagnosisReport& report) {
                         names_text(names));
     for (const NamedCause& cause : result.causes) {
       if (cause.name != names.front()) continue;
-      text += fmt::format("If it is the first: {}.\n", cause_sentence(cause));
+      text += fmt::format("If it is the first: {}.{}\n", cause_sentence(cause),
+                          explains_text(report, cause));
     }
   }
   return text;
@@ -129,6 +142,11 @@ std::string too_few_answer() {
   return "Whether anything is wrong cannot be said: the readings are too few.\n"
          "No cause was looked for.\n"
          "The notes below say how many it takes.\n";
+}
+
+std::string leads_line(const DiagnosisReport& report) {
+  const std::string sentence = leads_sentence(report);
+  return sentence.empty() ? "" : sentence + "\n";
 }
 
 bool some_are_far(const DiagnosisResult& result) {
@@ -154,7 +172,7 @@ std::string none_answer(const DiagnosisReport& report) {
   } else {
     text += fmt::format("No cause is named: none raises the evidence by {:g}.\n", least_evidence);
   }
-  return text + rest_text(report) + ".\n";
+  return text + rest_text(report) + ".\n" + leads_line(report);
 }
 
 std::string apart_lines(const DiagnosisReport& report) {
@@ -165,36 +183,65 @@ std::string apart_lines(const DiagnosisReport& report) {
 
 std::string cause_answer(const DiagnosisReport& report) {
   const std::string chance = chance_sentence(report);
-  return cause_lines(report.result) + gain_line(report) + rest_text(report) +
+  return cause_lines(report) + gain_line(report) + rest_text(report) +
          (weak_structure_remains(report) ? ".\n" + capitalised(chance) : "; " + chance) +
+         leads_line(report) +
          apart_lines(report);
 }
 
 std::string indistinguishable_answer(const DiagnosisReport& report) {
   const std::string weak =
       weak_structure_remains(report) ? weak_structure_text(report) + ".\n" : std::string();
-  return cause_lines(report.result) + indistinguishable_lines(report) + gain_line(report) + weak +
-         separation_line(report) + apart_lines(report);
+  return cause_lines(report) + indistinguishable_lines(report) + gain_line(report) + weak +
+         separation_line(report) + leads_line(report) + apart_lines(report);
 }
 
 std::string rows_line(const DiagnosisResult& result) {
   return result.row_scatter ? row_sentence(result) + "\n" : "";
 }
 
+// Root of the mean squared residual in this run, and in all others.
+std::string size_in_run(const DiagnosisReport& report, const std::string& run) {
+  double squares[2] = {0, 0};
+  double counts[2] = {0, 0};
+  for (const ComparedCell& cell : report.result.cells) {
+    const Reading& reading = report.data.readings[cell.cell.reading];
+    const std::size_t other = report.data.runs[reading.run] == run ? 0 : 1;
+    squares[other] += std::pow(cell.cell.measured_N - cell.after_N, 2);
+    counts[other] += 1;
+  }
+  if (counts[0] == 0 || counts[1] == 0) return "";
+  return fmt::format("residuals of {} there, {} in other runs; ",
+                     newton(std::sqrt(squares[0] / counts[0])),
+                     newton(std::sqrt(squares[1] / counts[1])));
+}
+
+std::string size_of(const DiagnosisReport& report, const Unexplained& left) {
+  if (left.about == "run" && !report.result.apart.empty()) {
+    return size_in_run(report, report.result.apart.front().run);
+  }
+  for (const StructureFinding& finding : report.result.structure) {
+    if (finding.about != left.about) continue;
+    return part_of_residuals(report, structure_N(report, finding)) + "; ";
+  }
+  return "";
+}
+
 std::string unexplained_answer(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   const Unexplained& left = *result.unexplained;
   std::string text = fmt::format(
-      "The residuals follow something that no cause in the library explains: {}{} ({}).\n",
+      "The residuals follow something that no cause in the library explains: {}{} ({}{}).\n",
       pattern_text(report, left.about), left.where.empty() ? "" : ", most of all " + left.where,
-      p_text(left.p_value, report.settings.replicates));
+      size_of(report, left), p_text(left.p_value, report.settings.replicates));
+  text += leads_line(report);
   if (result.causes.empty()) {
     text += "No cause is named.\nThe model stays as it is.\n";
     return text + rows_line(result);
   }
   text += rows_line(result);
   text += "Part of it is explained, so take the sizes with care:\n";
-  return text + cause_lines(result) + indistinguishable_lines(report) + gain_line(report) +
+  return text + cause_lines(report) + indistinguishable_lines(report) + gain_line(report) +
          apart_lines(report);
 }
 
@@ -232,9 +279,7 @@ std::string check_first(const std::vector<DataNote>& notes, NoteKind kind, const
   return fmt::format("Check {} first: {}{}\n", what, first, rest);
 }
 
-}  // namespace
-
-std::string diagnosis_answer(const DiagnosisReport& report) {
+std::string whole_answer(const DiagnosisReport& report) {
   std::string text = answer(report);
   for (const std::string& sentence : group_sentences(report)) {
     text += sentence + ".\n";
@@ -248,6 +293,30 @@ std::string diagnosis_answer(const DiagnosisReport& report) {
                          check_first(notes, NoteKind::other_direction, "this") +
                          check_first(notes, NoteKind::outlier_groups, "this") +
                          (mountings.empty() ? "" : mountings + "\n"));
+}
+
+// Where the first lines end.
+std::size_t end_of_answer(const std::string& text) {
+  constexpr int most_lines = 6;
+  std::size_t end = 0;
+  for (int line = 0; line < most_lines; ++line) {
+    const std::size_t at = text.find('\n', end);
+    if (at == std::string::npos) return text.size();
+    end = at + 1;
+  }
+  return end;
+}
+
+}  // namespace
+
+std::string diagnosis_answer(const DiagnosisReport& report) {
+  const std::string text = whole_answer(report);
+  return text.substr(0, end_of_answer(text));
+}
+
+std::string further_answer(const DiagnosisReport& report) {
+  const std::string text = whole_answer(report);
+  return text.substr(end_of_answer(text));
 }
 
 }  // namespace reeve::reports

@@ -43,10 +43,53 @@ Json parameter_json(const EstimatedParameter& parameter) {
            })}};
 }
 
-Json cause_json(const NamedCause& cause) {
+template <typename Items, typename Number>
+Json numbers_json(const Items& items, Number number_of) {
+  return list_json(items, [&](const auto& item) { return number(number_of(item)); });
+}
+
+Json axis_json(const AxisName& axis) {
+  return {{"name", axis.name}, {"unit", text_or_null(axis.unit)}};
+}
+
+// Columns, as for a data frame.
+Json partial_json(const PartialResiduals& partial, const MeasuredData& data) {
+  const auto reading = [&](const PartialPoint& point) -> const Reading& {
+    return data.readings[point.reading];
+  };
+  Json points{{"x", numbers_json(partial.points, [](const PartialPoint& p) { return p.x; })},
+              {"y", numbers_json(partial.points, [](const PartialPoint& p) { return p.y; })},
+              {"deviation",
+               numbers_json(partial.points, [](const PartialPoint& p) { return p.deviation; })},
+              {"run", list_json(partial.points,
+                                [&](const PartialPoint& p) { return data.runs[reading(p).run]; })},
+              {"line", list_json(partial.points,
+                                 [&](const PartialPoint& p) { return reading(p).line; })},
+              {"held_out",
+               list_json(partial.points, [](const PartialPoint& p) { return p.held_out; })}};
+  Json curve{{"x", numbers_json(partial.curve, [](const CurvePoint& p) { return p.x; })},
+             {"y", numbers_json(partial.curve, [](const CurvePoint& p) { return p.y; })},
+             {"low", numbers_json(partial.curve, [](const CurvePoint& p) { return p.low; })},
+             {"high", numbers_json(partial.curve, [](const CurvePoint& p) { return p.high; })}};
+  return {{"x", axis_json(partial.x)},
+          {"y", axis_json(partial.y)},
+          {"points", std::move(points)},
+          {"curve", std::move(curve)},
+          {"left_out", partial.left_out},
+          {"thinned", partial.thinned}};
+}
+
+Json partial_or_null(const std::optional<PartialResiduals>& partial, const MeasuredData& data) {
+  return value_or_null(partial,
+                       [&](const PartialResiduals& some) { return partial_json(some, data); });
+}
+
+Json cause_json(const NamedCause& cause, const DiagnosisReport& report) {
   return {{"name", cause.name},
           {"meaning", cause.meaning},
           {"detail", text_or_null(cause.detail)},
+          {"explained",
+           {{"rms", number(cause.explained.rms_N)}, {"share", number(cause.explained.share)}}},
           {"parameters", list_json(cause.parameters, parameter_json)},
           {"held_out", value_or_null(cause.held_out, held_out_json)},
           {"p_value", cause.p_value},
@@ -56,13 +99,14 @@ Json cause_json(const NamedCause& cause) {
           {"runner_up", value_or_null(cause.runner_up, [](const RunnerUp& other) {
              return Json{{"name", other.name},
                          {"delta_log_likelihood", number(other.delta_log_likelihood)}};
-           })}};
+           })},
+          {"partial_residuals", partial_or_null(cause.partial, report.data)}};
 }
 
 // As of a cause, with the parts of its term in place of the meaning.
-Json named_law_json(const NamedCause& cause) {
+Json named_law_json(const NamedCause& cause, const DiagnosisReport& report) {
   const Term& term = *term_of(*cause.effect.cause);
-  Json json = cause_json(cause);
+  Json json = cause_json(cause, report);
   json.erase("meaning");
   json.erase("detail");
   json.update(law_json(term));
@@ -129,14 +173,27 @@ void add_findings(Json& json, const DiagnosisReport& report) {
   json["verdict"] = verdict_name(result.verdict);
   std::vector<NamedCause> laws = result.causes;
   const auto causes = std::stable_partition(laws.begin(), laws.end(), is_law);
-  json["causes"] = list_json(std::vector(causes, laws.end()), cause_json);
+  json["causes"] = list_json(std::vector(causes, laws.end()), [&](const NamedCause& cause) {
+    return cause_json(cause, report);
+  });
   laws.erase(causes, laws.end());
-  json["laws"] = list_json(laws, named_law_json);
+  json["laws"] =
+      list_json(laws, [&](const NamedCause& law) { return named_law_json(law, report); });
   json["indistinguishable"] = result.indistinguishable;
   json["separating_measurement"] = value_or_null(result.separating_measurement, planned);
   json["unexplained"] = value_or_null(result.unexplained, [](const Unexplained& left) {
     return Json{{"about", left.about}, {"where", left.where}, {"p_value", left.p_value}};
   });
+  json["leads"] = list_json(result.leads, [&](const Lead& lead) {
+    const Term& term = *term_of(*lead.effect.cause);
+    Json fields{{"name", effect_name(lead.effect)}, {"evidence", number(lead.evidence)}};
+    fields.update(law_json(term));
+    fields["formula"] = formula(term, lead.effect.values);
+    fields["partial_residuals"] = partial_or_null(lead.partial, report.data);
+    return fields;
+  });
+  json["residuals"] = {{"before", number(result.residual_before_N)},
+                       {"after", number(result.residual_after_N)}};
   json["next_measurement"] = value_or_null(result.next_measurement, planned);
   json["held_out"] = value_or_null(result.held_out, held_out_json);
 }
@@ -255,8 +312,9 @@ void add_evidence(Json& json, const DiagnosisReport& report) {
                 {"log_likelihood_gain", number(cause.gain)},
                 {"held_out", value_or_null(cause.held_out, held_out_json)}};
   });
-  json["structure"] = list_json(result.structure, [](const StructureFinding& finding) {
+  json["structure"] = list_json(result.structure, [&](const StructureFinding& finding) {
     return Json{{"about", finding.about},
+                {"rms", number(structure_N(report, finding))},
                 {"statistic", number(finding.statistic)},
                 {"p_value", finding.p_value}};
   });

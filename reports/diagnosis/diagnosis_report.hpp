@@ -9,8 +9,10 @@
 
 namespace reeve::reports {
 
-// What is wrong, which cause, how much better: a few lines.
+// What is wrong, which cause, how much better: at most six lines.
 std::string diagnosis_answer(const DiagnosisReport& report);
+// What it says beyond those; often nothing.
+std::string further_answer(const DiagnosisReport& report);
 // The answer, then what it rests on.
 Document diagnosis_document(const DiagnosisReport& report);
 std::string diagnosis_json(const DiagnosisReport& report);

@@ -16,6 +16,7 @@ namespace {
 
 // Of lists that can be long; the JSON has all.
 constexpr std::size_t most_rows = 8;
+constexpr std::size_t most_findings = 6;
 
 void add_sentences(Section& section, const std::vector<std::string>& sentences) {
   for (const std::string& sentence : sentences) section.lines.push_back({sentence});
@@ -58,6 +59,7 @@ std::string literature_text(const std::optional<Range>& range) {
 
 std::vector<TableColumn> cause_columns() {
   return {text_column("cause"),
+          number_column("explains"),
           text_column("parameter"),
           number_column("value"),
           number_column("95 % interval"),
@@ -73,19 +75,20 @@ Section causes_section(const DiagnosisReport& report) {
   if (causes.empty()) return {};
   Table table{cause_columns(), {}};
   for (const NamedCause& cause : causes) {
+    const std::string explains = part_of_residuals(report, cause.explained.rms_N);
     const std::string p = p_number(cause.p_value, report.settings.replicates);
     const std::string other = cause.runner_up
                                   ? fmt::format("{} ({})", cause.runner_up->name,
                                                 gain_number(cause.runner_up->delta_log_likelihood))
                                   : "-";
     if (cause.parameters.empty()) {
-      table.add({cause.name, cause.detail.empty() ? "-" : cause.detail, "-", "-", "-", "-", "-", p,
+      table.add({cause.name, explains, cause.detail.empty() ? "-" : cause.detail, "-", "-", "-", "-", "-", p,
                  other});
     }
     for (std::size_t i = 0; i < cause.parameters.size(); ++i) {
       const EstimatedParameter& parameter = cause.parameters[i];
       const bool first = i == 0;
-      table.add({first ? cause.name : "", parameter.name, estimate(parameter, parameter.value),
+      table.add({first ? cause.name : "", first ? explains : "", parameter.name, estimate(parameter, parameter.value),
                  fmt::format("{} to {}", estimate(parameter, parameter.low),
                              estimate(parameter, parameter.high)),
                  parameter.nominal ? estimate(parameter, *parameter.nominal) : "-",
@@ -93,7 +96,10 @@ Section causes_section(const DiagnosisReport& report) {
                  first ? other : ""});
     }
   }
-  Section section{"Causes, each by its evidence", table, {}};
+  const std::size_t all = table.rows.size();
+  if (all > most_findings) table.rows.resize(most_findings);
+  Section section{"Causes, what explains most of the residuals first", table, {}};
+  if (all > most_findings) section.lines.push_back({fmt::format("… {} more", all - most_findings)});
   add_sentences(section, influence_sentences(report));
   return section;
 }
@@ -160,13 +166,14 @@ Section left_section(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   if (result.structure.empty()) return {};
   constexpr std::size_t most = 3;
-  Table table{{text_column("residuals follow"), number_column("deviations from chance"),
-               number_column("p of this alone")},
+  Table table{{text_column("residuals follow"), number_column("size"),
+               number_column("deviations from chance"), number_column("p of this alone")},
               {}};
   for (std::size_t i = 0; i < result.structure.size() && i < most; ++i) {
     const StructureFinding& finding = result.structure[i];
-    table.add({pattern_text(report, finding.about), fixed(finding.statistic, 1),
-               p_number(finding.p_value, report.settings.replicates)});
+    table.add({pattern_text(report, finding.about),
+               part_of_residuals(report, structure_N(report, finding)),
+               fixed(finding.statistic, 1), p_number(finding.p_value, report.settings.replicates)});
   }
   return {fmt::format("What is left, the strongest of {} ({} for all together)",
                       plural(result.structure.size(), "pattern"),
@@ -246,6 +253,9 @@ Document diagnosis_document(const DiagnosisReport& report) {
                           next_section, ranking_section, data_section}) {
     document.add(part(report));
   }
+  Section further;
+  add_lines(further.lines, further_answer(report));
+  document.add(further);
   document.add(notes_section(report.result.notes));
   return document;
 }

@@ -131,6 +131,33 @@ std::string size_with_interval(const NamedCause& cause) {
   return text;
 }
 
+std::string part_of_residuals(const DiagnosisReport& report, double part_N) {
+  constexpr double matters = 0.002;  // of the readings
+  double square = 0;
+  for (const ComparedCell& cell : report.result.cells) square += std::pow(cell.cell.measured_N, 2);
+  const double reading_N =
+      std::sqrt(square / std::max(1.0, static_cast<double>(report.result.cells.size())));
+  return fmt::format("{} of {}{}", newton(std::max(0.0, part_N)),
+                     newton(report.result.residual_before_N),
+                     part_N < matters * reading_N ? ", of no practical matter" : "");
+}
+
+double structure_N(const DiagnosisReport& report, const StructureFinding& finding) {
+  return std::sqrt(finding.share) * report.result.residual_after_N;
+}
+
+std::string lead_text(const Lead& lead) {
+  return fmt::format("{} ({} nats)", lead.effect.cause->meaning(), gain_number(lead.evidence));
+}
+
+std::string leads_sentence(const DiagnosisReport& report) {
+  std::vector<std::string> texts;
+  for (const Lead& lead : report.result.leads) texts.push_back(lead_text(lead));
+  if (texts.empty()) return "";
+  return fmt::format("Strongest lead{}, not confirmed: {}.", texts.size() == 1 ? "" : "s",
+                     fmt::join(texts, "; "));
+}
+
 std::string gain_text(const HeldOut& held_out, std::size_t runs) {
   const bool rises = held_out.reduction < 0;
   std::string text =

@@ -35,6 +35,17 @@ std::string cause_sentence(const NamedCause& cause);
 // "tube_friction, mu = 0.090 (0.087 to 0.093)"
 std::string size_with_interval(const NamedCause& cause);
 
+// "3.1 N of 3.1 N": what a part of the residuals is of those of the nominal model; with ", of no
+// practical matter" where readings would hardly show it.
+std::string part_of_residuals(const DiagnosisReport& report, double part_N);
+// The part that the strongest structure explains beyond chance, N.
+double structure_N(const DiagnosisReport& report, const StructureFinding& finding);
+
+// "exponent of tube of finger 2, by humidity_pct (45 nats)"
+std::string lead_text(const Lead& lead);
+// "Strongest leads: …"; empty without leads.
+std::string leads_sentence(const DiagnosisReport& report);
+
 // "on 2 held-out runs fall by 72 % (66 % to 77 %): from 0.41 N to 0.11 N"
 std::string gain_text(const HeldOut& held_out, std::size_t runs);
 

@@ -1,0 +1,32 @@
+// How much of the residuals each named term explains.
+//
+// The terms are added one after the other, at their sizes in the extended model, to the model
+// without any of them: always the one next that leaves the least mean square m of the residuals in
+// newton. A term that takes m_{k−1} to m_k explains √(m_{k−1} − m_k) newton, and the share
+// (m_{k−1} − m_k) / m of the nominal model's m: shares add up, and do not depend on the order in
+// which terms were found.
+#pragma once
+
+#include <vector>
+
+#include "causes/model.hpp"
+#include "diagnosis/chosen_readings.hpp"
+
+namespace reeve::diagnosis {
+
+struct Explained {
+  double rms_N = 0;  // below 0 of a term that raises the residuals
+  double share = 0;  // of the mean square
+};
+
+struct ExplainedResiduals {
+  double before_N = 0;           // root of the mean squared residual of the nominal model
+  double after_N = 0;            // of the extended one
+  std::vector<Explained> terms;  // parallel to those that were asked for
+};
+
+// Terms that the extended model has, whatever else it has. Training and held-out runs together.
+ExplainedResiduals explained_residuals(const Sample& sample, const Model& nominal,
+                                       const Model& extended, const std::vector<Effect>& terms);
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,53 @@
+#include "diagnosis/verdict/leads.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "diagnosis/fit/fit.hpp"
+#include "diagnosis/fit/null_model.hpp"
+#include "diagnosis/search/law_screening.hpp"
+
+namespace reeve::diagnosis {
+namespace {
+
+Lead lead(const Sample& sample, const Problem& problem, const Model& model,
+          const ScreenedLaw& law, const Scatter& scatter, Workers& workers) {
+  const Effect screened = causes::with_crossing_held(law.effect);
+  Lead result{screened, law.evidence, std::nullopt};
+  const Fit fitted = fit(problem, extended(model, screened).model, Precision::to_compare);
+  if (!has_tensions(fitted)) return result;
+  const std::size_t at = place(fitted.model, screened);
+  result.effect = fitted.model.effects[at];
+  const auto spreads =
+      effect_spreads(problem, fitted.model, parameter_intervals(problem, fitted.model));
+  result.partial =
+      partial_residuals(sample, fitted.model, scatter, at, spreads[at], workers);
+  return result;
+}
+
+}  // namespace
+
+bool is_of_one_place(const Effect& effect) {
+  const Term* term = causes::term_of(*effect.cause);
+  if (term == nullptr) return false;
+  const Site& site = term->site;
+  return !site.run.empty() || site.place == SitePlace::channel || site.number.has_value();
+}
+
+std::vector<Lead> leads(const Sample& sample, const Problem& problem, const Model& model,
+                        const Scatter& scatter, Workers& workers) {
+  const Dataset& training = sample.training;
+  const Forecast at = forecast(training, model);
+  const Projection projection(problem, model, at);
+  const LawScreening screening(training, model, at, workers);
+  std::vector<Lead> result;
+  for (const ScreenedLaw& law : screening.best(
+           problem, at, projection, projection.taken_out(residuals(problem, at)), most_leads)) {
+    result.push_back(lead(sample, problem, model, law, scatter, workers));
+  }
+  std::stable_partition(result.begin(), result.end(),
+                        [](const Lead& lead) { return is_of_one_place(lead.effect); });
+  return result;
+}
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,32 @@
+// Where to look next, if structure is left that no named term explains: the laws of the grammar
+// (causes/term.hpp) that would gain the most evidence beside the extended model, to first order
+// (search/law_screening.hpp). A lead names a site and a covariate. It is no finding: no fit with
+// a scatter of its own and no fold of runs has confirmed it.
+//
+// Leads about one run, one sensor or one contact stand first: what stands apart is looked at before
+// what all readings follow.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "diagnosis/verdict/partial_residuals.hpp"
+
+namespace reeve::diagnosis {
+
+struct Lead {
+  Effect effect;        // fitted beside the model
+  double evidence = 0;  // nats above the model without it
+  std::optional<PartialResiduals> partial;
+};
+
+inline constexpr std::size_t most_leads = 3;
+
+// Whether a law is about one run, one sensor or one contact.
+bool is_of_one_place(const Effect& effect);
+
+// The problem is of the training runs. None has evidence against it.
+std::vector<Lead> leads(const Sample& sample, const Problem& problem, const Model& model,
+                        const Scatter& scatter, Workers& workers);
+
+}  // namespace reeve::diagnosis

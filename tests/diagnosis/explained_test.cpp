@@ -1,0 +1,69 @@
+// Offsets of known size on the strands of one bench: mean squares can be written down.
+#include "diagnosis/verdict/explained.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/diagnosis/pattern_bench.hpp"
+
+namespace reeve::testing {
+namespace {
+
+Sample all_in_training(const Bench& bench) {
+  Sample part;
+  part.training = bench.dataset;
+  return part;
+}
+
+Effect of_size(const PatternCause& cause, double size) { return {&cause, {}, {size}}; }
+
+Model with(const std::vector<Effect>& effects) {
+  Model model;
+  for (const Effect& effect : effects) add_effect(model, effect);
+  return model;
+}
+
+// Four strands: 3 N on one of them and 0.3 N on another are mean squares of 9/4 and 0.09/4 N².
+TEST(ExplainedResiduals, AreTheRootOfWhatEachTermTakesOffTheMeanSquare) {
+  const Bench bench({3, 0.3}, {5, 6, 1, 0});
+  const std::vector<Effect> terms{of_size(on_T2, 0.3), of_size(on_T1, 3)};
+  const ExplainedResiduals by =
+      explained_residuals(all_in_training(bench), Model{}, with(terms), terms);
+  const double all = (9 + 0.09) / 4;
+  EXPECT_NEAR(by.before_N, std::sqrt(all), 1e-6);
+  EXPECT_NEAR(by.after_N, 0, 1e-6);
+  ASSERT_EQ(by.terms.size(), 2U);
+  EXPECT_NEAR(by.terms[1].rms_N, 1.5, 1e-6);
+  EXPECT_NEAR(by.terms[1].share, 9 / 4.0 / all, 1e-6);
+  EXPECT_NEAR(by.terms[0].rms_N, 0.15, 1e-6);
+  EXPECT_NEAR(by.terms[0].share, 0.09 / 4 / all, 1e-6);
+}
+
+// Two names of nearly one thing: what the first explains the second does not explain again, and the
+// order in which they are given says nothing.
+TEST(ExplainedResiduals, OfTermsThatOverlapAddUp) {
+  const Bench bench({3}, {5, 6, 1, 0});
+  const std::vector<Effect> one{of_size(on_T1, 2), of_size(nearly_on_T1, 1)};
+  const std::vector<Effect> other{one[1], one[0]};
+  const Sample part = all_in_training(bench);
+  const ExplainedResiduals by = explained_residuals(part, Model{}, with(one), one);
+  const ExplainedResiduals again = explained_residuals(part, Model{}, with(one), other);
+  EXPECT_EQ(by.terms[0].share, again.terms[1].share);
+  EXPECT_EQ(by.terms[1].share, again.terms[0].share);
+  const double left = std::pow(by.after_N / by.before_N, 2);
+  EXPECT_NEAR(by.terms[0].share + by.terms[1].share, 1 - left, 1e-9);
+  EXPECT_NEAR(by.terms[0].share, (9 - 1) / 9.0, 1e-6);
+}
+
+TEST(ExplainedResiduals, OfATermThatMakesThemWorseAreBelowZero) {
+  const Bench bench({3}, {5, 6, 1, 0});
+  const std::vector<Effect> terms{of_size(on_T1, 3), of_size(on_T3, 1)};
+  const ExplainedResiduals by =
+      explained_residuals(all_in_training(bench), Model{}, with(terms), terms);
+  EXPECT_NEAR(by.terms[1].rms_N, -0.5, 1e-6);
+  EXPECT_LT(by.terms[1].share, 0);
+}
+
+}  // namespace
+}  // namespace reeve::testing

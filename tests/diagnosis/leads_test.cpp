@@ -1,0 +1,71 @@
+// Leads where the truth is written down: one run reads more at one strand, or all runs follow a
+// column.
+#include "diagnosis/verdict/leads.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/diagnosis/pattern_bench.hpp"
+
+namespace reeve::testing {
+namespace {
+
+Sample all_in_training(const Dataset& dataset) {
+  Sample part;
+  part.training = dataset;
+  return part;
+}
+
+Scatter bench_scatter() {
+  Scatter scatter;
+  scatter.noise.absolute_N = bench_noise_N;
+  return scatter;
+}
+
+TEST(Leads, NameTheRunThatStandsApartFirst) {
+  const BenchPlan plan{8, 6, 3, bench_noise_N};
+  const Bench bench(plan, [](std::size_t run) { return run == 5 ? Pattern{0.5} : Pattern{}; });
+  Workers workers(1);
+  const std::vector<Lead> found =
+      leads(all_in_training(bench.dataset), bench.problem, Model{}, bench_scatter(), workers);
+  ASSERT_FALSE(found.empty());
+  EXPECT_LE(found.size(), most_leads);
+  const Term* term = causes::term_of(*found.front().effect.cause);
+  ASSERT_NE(term, nullptr);
+  EXPECT_EQ(term->site.run, "r5");
+  EXPECT_TRUE(is_of_one_place(found.front().effect));
+  EXPECT_GT(found.front().evidence, 50);
+  ASSERT_TRUE(found.front().partial.has_value());
+  for (const PartialPoint& point : found.front().partial->points) {
+    EXPECT_EQ(bench.data.runs[bench.data.readings[point.reading].run], "r5");
+  }
+}
+
+TEST(Leads, OfNoiseAloneAreNone) {
+  const Bench bench(Pattern{}, BenchPlan{8, 6, 3, bench_noise_N});
+  Workers workers(1);
+  for (const Lead& lead :
+       leads(all_in_training(bench.dataset), bench.problem, Model{}, bench_scatter(), workers)) {
+    EXPECT_LT(lead.evidence, 3) << lead.effect.cause->meaning();
+  }
+}
+
+TEST(Leads, OfOnePlaceAreThoseOfARunASensorOrAContact) {
+  const auto effect = [](const Term& term) { return Effect{&causes::law(term), {}, {0.1}}; };
+  Term term;
+  EXPECT_FALSE(is_of_one_place(effect(term)));
+  term.site.number = 1;
+  EXPECT_TRUE(is_of_one_place(effect(term)));
+  term.site.number.reset();
+  term.site.run = "r1";
+  EXPECT_TRUE(is_of_one_place(effect(term)));
+  Term gain;
+  gain.target = Target::gain;
+  gain.site.place = SitePlace::channels;
+  EXPECT_FALSE(is_of_one_place(effect(gain)));
+  gain.site.place = SitePlace::channel;
+  EXPECT_TRUE(is_of_one_place(effect(gain)));
+}
+
+}  // namespace
+}  // namespace reeve::testing
