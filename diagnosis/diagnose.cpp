@@ -301,8 +301,7 @@ class Diagnosis {
                                                   nominal_.hardware, force_scale(data_)),
                                         resolved(calibration.p_value), calibration.differs};
       if (coefficient.differs) {
-        named.push_back(
-            {named_cause(calibration.effect, coefficient.p_value), &found_.instead[i]});
+        named.push_back({named_cause(calibration.effect, coefficient.p_value), &found_.instead[i]});
         result_.p_value = std::min(result_.p_value, coefficient.p_value);
       }
       result_.calibration.push_back(std::move(coefficient));
@@ -339,9 +338,9 @@ class Diagnosis {
     if (result_.causes.empty()) return;
     const auto spreads = effect_spreads(found_.problem, found_.model, intervals);
     for (NamedCause& cause : result_.causes) {
-      cause.partial = partial_residuals(
-          sample_, result_.model, found_.scatter, place(result_.model, cause.effect),
-          spreads[place(found_.model, cause.effect)], workers_);
+      cause.partial = partial_residuals(sample_, result_.model, found_.scatter,
+                                        place(result_.model, cause.effect),
+                                        spreads[place(found_.model, cause.effect)], workers_);
     }
   }
 

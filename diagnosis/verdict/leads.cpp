@@ -10,8 +10,8 @@
 namespace reeve::diagnosis {
 namespace {
 
-Lead lead(const Sample& sample, const Problem& problem, const Model& model,
-          const ScreenedLaw& law, const Scatter& scatter, Workers& workers) {
+Lead lead(const Sample& sample, const Problem& problem, const Model& model, const ScreenedLaw& law,
+          const Scatter& scatter, Workers& workers) {
   const Effect screened = causes::with_crossing_held(law.effect);
   Lead result{screened, law.evidence, std::nullopt};
   const Fit fitted = fit(problem, extended(model, screened).model, Precision::to_compare);
@@ -20,8 +20,7 @@ Lead lead(const Sample& sample, const Problem& problem, const Model& model,
   result.effect = fitted.model.effects[at];
   const auto spreads =
       effect_spreads(problem, fitted.model, parameter_intervals(problem, fitted.model));
-  result.partial =
-      partial_residuals(sample, fitted.model, scatter, at, spreads[at], workers);
+  result.partial = partial_residuals(sample, fitted.model, scatter, at, spreads[at], workers);
   return result;
 }
 

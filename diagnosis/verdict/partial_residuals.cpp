@@ -124,9 +124,9 @@ std::vector<PointCells> cells_of_points(const TermAxes& axes, const Dataset& dat
 // Nothing where these cells do not depend on the term.
 std::optional<PartialPoint> point(const PartView& part, const TermAxes& axes, const Effect& effect,
                                   const PointCells& of) {
-  const PlaceOnAxes place = place_on(
-      axes, effect.values,
-      {part.dataset, part.contacts, part.with, part.without, of.row, of.first});
+  const PlaceOnAxes place =
+      place_on(axes, effect.values,
+               {part.dataset, part.contacts, part.with, part.without, of.row, of.first});
   // A factor (1 + a) beside the law's own: p follows f by as much less.
   const double by_factor = axes.multiplies ? 1 + place.y : 1;
   if (!(by_factor > 0)) return std::nullopt;
@@ -221,11 +221,10 @@ double half_width_of_slope(const std::vector<PartialPoint>& points, double x) {
 }
 
 std::vector<CurvePoint> curve(const TermAxes& axes, const Effect& effect,
-                              const EffectSpread& spread,
-                              const std::vector<PartialPoint>& points) {
-  const auto [least, greatest] = std::minmax_element(
-      points.begin(), points.end(),
-      [](const PartialPoint& a, const PartialPoint& b) { return a.x < b.x; });
+                              const EffectSpread& spread, const std::vector<PartialPoint>& points) {
+  const auto [least, greatest] =
+      std::minmax_element(points.begin(), points.end(),
+                          [](const PartialPoint& a, const PartialPoint& b) { return a.x < b.x; });
   // Of points that all stand at one place, a short piece of it.
   constexpr double short_piece = 0.05;
   const double beyond = least->x == greatest->x ? short_piece * std::abs(least->x) : 0;
@@ -236,9 +235,8 @@ std::vector<CurvePoint> curve(const TermAxes& axes, const Effect& effect,
     const double x =
         low + (high - low) * static_cast<double>(i) / static_cast<double>(curve_points - 1);
     const double y = axes.law(effect.values, x);
-    const double half = axes.over == DrawnOver::change
-                            ? half_width_of_slope(points, x)
-                            : half_width(axes, effect.values, spread, x);
+    const double half = axes.over == DrawnOver::change ? half_width_of_slope(points, x)
+                                                       : half_width(axes, effect.values, spread, x);
     result.push_back({x, y, y - half, y + half});
     if (low == high) break;
   }
@@ -265,15 +263,14 @@ std::vector<EffectSpread> effect_spreads(
     EffectSpread spread{MatrixXd::Zero(count, count), 0};
     for (Index i = 0; i < count; ++i) {
       for (Index j = 0; j < count; ++j) {
-        const double scale = std::sqrt(inverse(first + i, first + i)) *
-                             std::sqrt(inverse(first + j, first + j));
-        const double both = own[static_cast<std::size_t>(i)].deviation *
-                            own[static_cast<std::size_t>(j)].deviation;
+        const double scale =
+            std::sqrt(inverse(first + i, first + i)) * std::sqrt(inverse(first + j, first + j));
+        const double both =
+            own[static_cast<std::size_t>(i)].deviation * own[static_cast<std::size_t>(j)].deviation;
         spread.covariance(i, j) = inverse(first + i, first + j) / scale * both;
       }
-      spread.t = std::max(
-          spread.t,
-          student_t_quantile(0.5 + covered_by_band / 2, own[static_cast<std::size_t>(i)].degrees));
+      spread.t = std::max(spread.t, student_t_quantile(0.5 + covered_by_band / 2,
+                                                       own[static_cast<std::size_t>(i)].degrees));
     }
     first += count;
     result.push_back(std::move(spread));

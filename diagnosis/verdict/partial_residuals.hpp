@@ -63,8 +63,9 @@ struct EffectSpread {
 };
 
 // Parallel to the effects of the model, whose intervals these are.
-std::vector<EffectSpread> effect_spreads(const Problem& problem, const Model& model,
-                                         const std::vector<std::vector<ParameterInterval>>& intervals);
+std::vector<EffectSpread> effect_spreads(
+    const Problem& problem, const Model& model,
+    const std::vector<std::vector<ParameterInterval>>& intervals);
 
 // Of the effect at this place of the model. Nothing where no reading says anything of it.
 std::optional<PartialResiduals> partial_residuals(const Sample& sample, const Model& model,

@@ -203,8 +203,8 @@ Conditions conditions_at(const Covariate& covariate, double x) {
 }
 
 // By what the cause makes of an exponent of 1.
-std::function<double(const std::vector<double>&, double)> exponent_law(
-    const Effect& effect, const Covariate& covariate) {
+std::function<double(const std::vector<double>&, double)> exponent_law(const Effect& effect,
+                                                                       const Covariate& covariate) {
   return [effect, covariate](const std::vector<double>& values, double x) {
     ContactLoad contact;
     if (covariate.kind == CovariateKind::load) contact.high_N = x;
@@ -290,12 +290,15 @@ double mean_of_contacts(const TermAxes& axes, const DrawnCell& cell,
   double sum = 0;
   double count = 0;
   for (const causes::SolvedContact& contact : cell.contacts[cell.row]) {
-    const ContactLoad load{contact.kind,      contact.high,   contact.number,
-                           reading.direction, contact.finger, reading.grasp,
+    const ContactLoad load{contact.kind,
+                           contact.high,
+                           contact.number,
+                           reading.direction,
+                           contact.finger,
+                           reading.grasp,
                            data.routings[reading.routing].word};
-    const bool acts = std::any_of(axes.sites.begin(), axes.sites.end(), [&](const Site& site) {
-      return causes::acts_on(site, load);
-    });
+    const bool acts = std::any_of(axes.sites.begin(), axes.sites.end(),
+                                  [&](const Site& site) { return causes::acts_on(site, load); });
     if (!acts) continue;
     sum += value(contact.high);
     count += 1;

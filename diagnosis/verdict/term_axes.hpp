@@ -1,7 +1,9 @@
 // What a term's partial residuals (partial_residuals.hpp) are drawn over, and measured in.
 //
-//   law, or a cause that follows something   x: its covariate             y: f(x), a relative change
-//                                                                         of exponents or gains, or N
+//   law, or a cause that follows something   x: its covariate             y: f(x), a relative
+//   change
+//                                                                         of exponents or gains, or
+//                                                                         N
 //   cause of a constant size                 x: what it acts through:     y: size − nominal size
 //                                            load at its contacts, tension
 //                                            at its sensor, motor tension

@@ -21,8 +21,8 @@ Figure residual_figure(const DiagnosisReport& report, const std::vector<ReadingM
                        const MarkColumn& column);
 
 // What each reading by itself says of a term, over what the term follows, with the fitted curve.
-Figure partial_figure(const DiagnosisReport& report, const std::string& id,
-                      const std::string& name, const PartialResiduals& partial);
+Figure partial_figure(const DiagnosisReport& report, const std::string& id, const std::string& name,
+                      const PartialResiduals& partial);
 
 // Each weighed model's gain on held-out runs, beside what the noise allows; on the training runs
 // where none were held out.

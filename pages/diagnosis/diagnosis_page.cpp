@@ -59,8 +59,8 @@ Json partial_figures(const DiagnosisReport& report, Figures& figures) {
   for (std::size_t i = 0; i < causes.size(); ++i) {
     if (!causes[i].partial) continue;
     const std::string id = fmt::format("partial-{}", i + 1);
-    list.push_back({{"html", figures.add(partial_figure(report, id, causes[i].name,
-                                                        *causes[i].partial))}});
+    list.push_back(
+        {{"html", figures.add(partial_figure(report, id, causes[i].name, *causes[i].partial))}});
   }
   return list.empty() ? Json(nullptr) : Json{{"figures", std::move(list)}};
 }

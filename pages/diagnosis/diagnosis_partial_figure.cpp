@@ -25,8 +25,7 @@ std::string title(const DiagnosisReport& report, const PartialResiduals& partial
 }
 
 // Filled what no fit has seen, as everywhere on the page.
-chart::Layer points(const DiagnosisReport& report, const PartialResiduals& partial,
-                    bool held_out) {
+chart::Layer points(const DiagnosisReport& report, const PartialResiduals& partial, bool held_out) {
   chart::Points points;
   for (const PartialPoint& point : partial.points) {
     if (point.held_out != held_out) continue;
@@ -73,24 +72,25 @@ std::string counts_text(const PartialResiduals& partial) {
 
 }  // namespace
 
-Figure partial_figure(const DiagnosisReport& report, const std::string& id,
-                      const std::string& name, const PartialResiduals& partial) {
+Figure partial_figure(const DiagnosisReport& report, const std::string& id, const std::string& name,
+                      const PartialResiduals& partial) {
   chart::Panel panel;
   panel.x.title = axis_title(partial.x);
   panel.y.title = axis_title(partial.y);
   panel.y.reaches = {0};
   panel.y.format = chart::Format::with_sign;
-  const chart::Style nominal{
-      chart::Colour::grey, chart::Symbol::circle, 0, 1.2, 1, 1, chart::Dash::dashed};
-  panel.layers.push_back({"without it", nominal, chart::Rules{{{0, "without it", ""}}, chart::Along::y}});
+  const chart::Style nominal{chart::Colour::grey, chart::Symbol::circle, 0, 1.2, 1, 1,
+                             chart::Dash::dashed};
+  panel.layers.push_back(
+      {"without it", nominal, chart::Rules{{{0, "without it", ""}}, chart::Along::y}});
   panel.layers.push_back(band(partial));
   panel.layers.push_back(points(report, partial, false));
   if (has_held_out(partial)) panel.layers.push_back(points(report, partial, true));
   panel.layers.push_back(curve(partial));
   chart::Chart chart;
-  chart.alt = fmt::format("{} over {}: {} and the fitted curve with its 95 % band.",
-                          axis_title(partial.y), axis_title(partial.x),
-                          plural(partial.points.size(), "point"));
+  chart.alt =
+      fmt::format("{} over {}: {} and the fitted curve with its 95 % band.", axis_title(partial.y),
+                  axis_title(partial.x), plural(partial.points.size(), "point"));
   chart.width = 300;
   chart.height = 200;
   chart.panels.push_back(std::move(panel));

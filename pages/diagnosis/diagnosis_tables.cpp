@@ -71,11 +71,11 @@ std::string findings_table(const DiagnosisReport& report) {
   for (std::size_t i = 0; i < causes.size() && i < most; ++i) {
     const NamedCause& cause = causes[i];
     const std::string size =
-        cause.parameters.empty() ? cause.detail
-                                 : fmt::format("{} = {} ({})", cause.parameters.front().name,
-                                               estimate(cause.parameters.front(),
-                                                        cause.parameters.front().value),
-                                               interval_of(cause.parameters.front()));
+        cause.parameters.empty()
+            ? cause.detail
+            : fmt::format("{} = {} ({})", cause.parameters.front().name,
+                          estimate(cause.parameters.front(), cause.parameters.front().value),
+                          interval_of(cause.parameters.front()));
     table.add({cause.name, part_of_residuals(report, cause.explained.rms_N),
                fine_percent_text(cause.explained.share), size,
                p_number(cause.p_value, report.settings.replicates)});

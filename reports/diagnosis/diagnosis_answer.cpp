@@ -185,8 +185,7 @@ std::string cause_answer(const DiagnosisReport& report) {
   const std::string chance = chance_sentence(report);
   return cause_lines(report) + gain_line(report) + rest_text(report) +
          (weak_structure_remains(report) ? ".\n" + capitalised(chance) : "; " + chance) +
-         leads_line(report) +
-         apart_lines(report);
+         leads_line(report) + apart_lines(report);
 }
 
 std::string indistinguishable_answer(const DiagnosisReport& report) {

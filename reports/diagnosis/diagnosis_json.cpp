@@ -57,26 +57,22 @@ Json partial_json(const PartialResiduals& partial, const MeasuredData& data) {
   const auto reading = [&](const PartialPoint& point) -> const Reading& {
     return data.readings[point.reading];
   };
-  Json points{{"x", numbers_json(partial.points, [](const PartialPoint& p) { return p.x; })},
-              {"y", numbers_json(partial.points, [](const PartialPoint& p) { return p.y; })},
-              {"deviation",
-               numbers_json(partial.points, [](const PartialPoint& p) { return p.deviation; })},
-              {"run", list_json(partial.points,
-                                [&](const PartialPoint& p) { return data.runs[reading(p).run]; })},
-              {"line", list_json(partial.points,
-                                 [&](const PartialPoint& p) { return reading(p).line; })},
-              {"held_out",
-               list_json(partial.points, [](const PartialPoint& p) { return p.held_out; })}};
+  Json points{
+      {"x", numbers_json(partial.points, [](const PartialPoint& p) { return p.x; })},
+      {"y", numbers_json(partial.points, [](const PartialPoint& p) { return p.y; })},
+      {"deviation",
+       numbers_json(partial.points, [](const PartialPoint& p) { return p.deviation; })},
+      {"run",
+       list_json(partial.points, [&](const PartialPoint& p) { return data.runs[reading(p).run]; })},
+      {"line", list_json(partial.points, [&](const PartialPoint& p) { return reading(p).line; })},
+      {"held_out", list_json(partial.points, [](const PartialPoint& p) { return p.held_out; })}};
   Json curve{{"x", numbers_json(partial.curve, [](const CurvePoint& p) { return p.x; })},
              {"y", numbers_json(partial.curve, [](const CurvePoint& p) { return p.y; })},
              {"low", numbers_json(partial.curve, [](const CurvePoint& p) { return p.low; })},
              {"high", numbers_json(partial.curve, [](const CurvePoint& p) { return p.high; })}};
-  return {{"x", axis_json(partial.x)},
-          {"y", axis_json(partial.y)},
-          {"points", std::move(points)},
-          {"curve", std::move(curve)},
-          {"left_out", partial.left_out},
-          {"thinned", partial.thinned}};
+  return {{"x", axis_json(partial.x)},    {"y", axis_json(partial.y)},
+          {"points", std::move(points)},  {"curve", std::move(curve)},
+          {"left_out", partial.left_out}, {"thinned", partial.thinned}};
 }
 
 Json partial_or_null(const std::optional<PartialResiduals>& partial, const MeasuredData& data) {
@@ -96,10 +92,12 @@ Json cause_json(const NamedCause& cause, const DiagnosisReport& report) {
           {"evidence", value_or_null(cause.evidence, number)},
           {"probability", value_or_null(cause.probability, number)},
           {"folds", value_or_null(cause.folds, number)},
-          {"runner_up", value_or_null(cause.runner_up, [](const RunnerUp& other) {
-             return Json{{"name", other.name},
-                         {"delta_log_likelihood", number(other.delta_log_likelihood)}};
-           })},
+          {"runner_up", value_or_null(cause.runner_up,
+                                      [](const RunnerUp& other) {
+                                        return Json{{"name", other.name},
+                                                    {"delta_log_likelihood",
+                                                     number(other.delta_log_likelihood)}};
+                                      })},
           {"partial_residuals", partial_or_null(cause.partial, report.data)}};
 }
 
@@ -173,9 +171,8 @@ void add_findings(Json& json, const DiagnosisReport& report) {
   json["verdict"] = verdict_name(result.verdict);
   std::vector<NamedCause> laws = result.causes;
   const auto causes = std::stable_partition(laws.begin(), laws.end(), is_law);
-  json["causes"] = list_json(std::vector(causes, laws.end()), [&](const NamedCause& cause) {
-    return cause_json(cause, report);
-  });
+  json["causes"] = list_json(std::vector(causes, laws.end()),
+                             [&](const NamedCause& cause) { return cause_json(cause, report); });
   laws.erase(causes, laws.end());
   json["laws"] =
       list_json(laws, [&](const NamedCause& law) { return named_law_json(law, report); });

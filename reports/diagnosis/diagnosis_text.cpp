@@ -82,13 +82,14 @@ Section causes_section(const DiagnosisReport& report) {
                                                 gain_number(cause.runner_up->delta_log_likelihood))
                                   : "-";
     if (cause.parameters.empty()) {
-      table.add({cause.name, explains, cause.detail.empty() ? "-" : cause.detail, "-", "-", "-", "-", "-", p,
-                 other});
+      table.add({cause.name, explains, cause.detail.empty() ? "-" : cause.detail, "-", "-", "-",
+                 "-", "-", p, other});
     }
     for (std::size_t i = 0; i < cause.parameters.size(); ++i) {
       const EstimatedParameter& parameter = cause.parameters[i];
       const bool first = i == 0;
-      table.add({first ? cause.name : "", first ? explains : "", parameter.name, estimate(parameter, parameter.value),
+      table.add({first ? cause.name : "", first ? explains : "", parameter.name,
+                 estimate(parameter, parameter.value),
                  fmt::format("{} to {}", estimate(parameter, parameter.low),
                              estimate(parameter, parameter.high)),
                  parameter.nominal ? estimate(parameter, *parameter.nominal) : "-",
@@ -172,8 +173,8 @@ Section left_section(const DiagnosisReport& report) {
   for (std::size_t i = 0; i < result.structure.size() && i < most; ++i) {
     const StructureFinding& finding = result.structure[i];
     table.add({pattern_text(report, finding.about),
-               part_of_residuals(report, structure_N(report, finding)),
-               fixed(finding.statistic, 1), p_number(finding.p_value, report.settings.replicates)});
+               part_of_residuals(report, structure_N(report, finding)), fixed(finding.statistic, 1),
+               p_number(finding.p_value, report.settings.replicates)});
   }
   return {fmt::format("What is left, the strongest of {} ({} for all together)",
                       plural(result.structure.size(), "pattern"),

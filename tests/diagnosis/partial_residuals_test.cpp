@@ -1,4 +1,5 @@
-// Partial residuals of laws whose truth is written down: y − f(x) is the noise over the sensitivity.
+// Partial residuals of laws whose truth is written down: y − f(x) is the noise over the
+// sensitivity.
 #include "diagnosis/verdict/partial_residuals.hpp"
 
 #include <fmt/format.h>
@@ -53,8 +54,8 @@ MeasuredData humid_data(const std::function<double(double motor_N, double humidi
   for (int i = 0; i < 24; ++i) {
     const double motor_N = 10 + 5 * (i % 4);
     const double humidity = 20 + 60.0 * i / 23;
-    text += fmt::format("r{},M-1-F,{},{},{}\n", i / 4, motor_N, humidity,
-                        reading(motor_N, humidity));
+    text +=
+        fmt::format("r{},M-1-F,{},{},{}\n", i / 4, motor_N, humidity, reading(motor_N, humidity));
   }
   return read_data(text);
 }
@@ -112,8 +113,7 @@ TEST(PartialResiduals, OfAGainAreItsLawPlusNoiseOverTheTension) {
 
 TEST(PartialResiduals, HaveACurveThroughZeroWhereTheLawIsNominal) {
   const MeasuredData data = humid_data([](double motor_N, double) { return motor_N; });
-  const Model model =
-      with_law(bench_model(), humidity_law(Target::gain, sensor_at_T1()), slope);
+  const Model model = with_law(bench_model(), humidity_law(Target::gain, sensor_at_T1()), slope);
   const PartialResiduals partial = seen(data, model);
   ASSERT_GT(partial.curve.size(), 2U);
   EXPECT_NEAR(partial.curve.front().x, 20, 1e-9);
@@ -138,9 +138,8 @@ TEST(PartialResiduals, OfAnExponentAreItsLawPlusNoiseOverTheSensitivity) {
     return motor_N * std::exp(-phi * (1 + steep * (humidity - middle)));
   };
   std::size_t i = 0;
-  const MeasuredData data = humid_data([&](double motor_N, double humidity) {
-    return tension(motor_N, humidity) + noise_N(i++);
-  });
+  const MeasuredData data = humid_data(
+      [&](double motor_N, double humidity) { return tension(motor_N, humidity) + noise_N(i++); });
   const PartialResiduals partial =
       seen(data, with_law(model, humidity_law(Target::exponent, sheaths()), steep));
   ASSERT_EQ(partial.points.size(), 24U);
@@ -215,8 +214,7 @@ TEST(PartialResiduals, OfATermWithoutSizeAreWhatItChanges) {
 
 TEST(PartialResiduals, TellSealedRunsFromTrainingRuns) {
   const MeasuredData data = humid_data([](double motor_N, double) { return motor_N; });
-  const Model model =
-      with_law(bench_model(), humidity_law(Target::gain, sensor_at_T1()), slope);
+  const Model model = with_law(bench_model(), humidity_law(Target::gain, sensor_at_T1()), slope);
   const PartialResiduals partial = seen(data, model, 0.0001, 0.34);
   const Sample part = sample(data, 0.34, 1);
   std::size_t held_out = 0;

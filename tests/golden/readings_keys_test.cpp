@@ -57,23 +57,31 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
   const Json json = json_of({"diagnose", diagnosed + "cause.csv"});
   EXPECT_EQ(
       keys(json),
-      "verdict causes laws indistinguishable separating_measurement unexplained next_measurement "
-      "held_out held_out_by_run noise_limit not_confirmed folds apart weighed structure share_errors left_out_runs "
+      "verdict causes laws indistinguishable separating_measurement unexplained leads residuals "
+      "next_measurement held_out held_out_by_run noise_limit not_confirmed folds apart weighed structure share_errors left_out_runs "
       "losses without_apart published noise mountings row_scatter coefficients by_group ranking simulated too_few rows runs "
       "held_out_runs dropped_duplicates thinned_rows calibration notes seconds settings "
       "version result_id");
   const Json& cause = json["causes"][0];
   EXPECT_EQ(keys(cause),
-            "name meaning detail parameters held_out p_value evidence probability folds runner_up");
+            "name meaning detail explained parameters held_out p_value evidence probability folds "
+            "runner_up partial_residuals");
   EXPECT_EQ(keys(cause["parameters"][0]), "name value low high nominal unit at_bound literature");
   EXPECT_EQ(keys(cause["held_out"]), held_out_keys);
   EXPECT_TRUE(cause["runner_up"].is_null());
+  EXPECT_EQ(keys(cause["explained"]), "rms share");
+  const Json& partial = cause["partial_residuals"];
+  EXPECT_EQ(keys(partial), "x y points curve left_out thinned");
+  EXPECT_EQ(keys(partial["x"]), "name unit");
+  EXPECT_EQ(keys(partial["points"]), "x y deviation run line held_out");
+  EXPECT_EQ(keys(partial["curve"]), "x y low high");
+  EXPECT_EQ(keys(json["residuals"]), "before after");
   EXPECT_EQ(keys(json["held_out"]), held_out_keys);
   EXPECT_EQ(keys(json["held_out_by_run"][0]), "run values rms_before rms_after rms_noise");
   EXPECT_EQ(keys(json["noise_limit"]), "log_likelihood_gain low high rms");
   EXPECT_EQ(keys(json["next_measurement"]), measurement_keys);
   EXPECT_EQ(keys(json["weighed"][0]), "name log_likelihood_gain held_out");
-  EXPECT_EQ(keys(json["structure"][0]), "about statistic p_value");
+  EXPECT_EQ(keys(json["structure"][0]), "about rms statistic p_value");
   EXPECT_EQ(
       keys(json["noise"]),
       "relative absolute_N source degrees_of_freedom tail_degrees_of_freedom within_mountings "

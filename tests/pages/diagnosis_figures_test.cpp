@@ -22,6 +22,55 @@ TEST(DiagnosisPage, DrawsOneMarkForEachValueBeforeAndAfter) {
   }
 }
 
+// Two readings of a law through 0 at x = 2, one of them of a sealed run.
+TEST(DiagnosisPage, DrawsEachCauseOverWhatItFollowsWithItsCurveAndBand) {
+  DiagnosisReport report = plain_report(10);
+  name_tube_friction(report);
+  PartialResiduals partial;
+  partial.x = {"temperature", "°C"};
+  partial.y = {"relative change of the friction exponent", "1"};
+  partial.points = {{1, -0.5, 0.1, 0, false}, {3, 0.4, 0.1, 1, true}};
+  partial.curve = {{1, -0.45, -0.5, -0.4}, {2, 0, 0, 0}, {3, 0.45, 0.4, 0.5}};
+  partial.left_out = 3;
+  report.result.causes[0].partial = partial;
+  const PageFiles page = diagnosis_page({report, "", {}});
+  const std::vector<ReadPanel> panels = chart_of(page, "partial-1");
+  ASSERT_EQ(panels.size(), 1U);
+  const std::vector<ReadMark> points = panels[0].marks("points");
+  ASSERT_EQ(points.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(panels[0].x_of(points[i]), partial.points[i].x, 0.01);
+    EXPECT_NEAR(panels[0].y_of(points[i]), partial.points[i].y, 0.01);
+    EXPECT_EQ(contains(points[i].title, "held out"), partial.points[i].held_out);
+  }
+  const std::string& svg = svg_of(page, "partial-1");
+  for (const char* name : {"95 % band", "fitted to", "held out", "without it", "temperature, °C"}) {
+    EXPECT_TRUE(contains(svg, name)) << name;
+  }
+  EXPECT_TRUE(contains(page.html, "Not drawn: 3 points that hardly depend on it."));
+}
+
+TEST(DiagnosisPage, BeginsWithASentenceAFigureAndATableOfAtMostSixRows) {
+  DiagnosisReport report = plain_report(10);
+  name_tube_friction(report);
+  report.result.causes.assign(8, report.result.causes.front());
+  const std::string html = diagnosis_html(report);
+  const std::size_t lead = html.find("class=\"lead\"");
+  const std::size_t figure = html.find("id=\"compared\"");
+  const std::size_t table = html.find("id=\"findings\"");
+  const std::size_t end = html.find("</table>", table);
+  EXPECT_LT(lead, figure);
+  EXPECT_LT(figure, table);
+  ASSERT_NE(end, std::string::npos);
+  const std::string rows = html.substr(table, end - table);
+  std::size_t count = 0;
+  for (std::size_t at = rows.find("<tr"); at != std::string::npos; at = rows.find("<tr", at + 1)) {
+    ++count;
+  }
+  EXPECT_EQ(count, 1U + 6);
+  EXPECT_TRUE(contains(html, "2 more below"));
+}
+
 TEST(DiagnosisPage, FillsTheHeldOutRunsAndDrawsEachModelInItsPanel) {
   DiagnosisReport report = plain_report(10);
   name_tube_friction(report);

@@ -1,7 +1,10 @@
 // The first lines of a diagnosis, by its verdict; tests/golden has whole ones.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "causes/library.hpp"
+#include "causes/term.hpp"
 #include "core/notation.hpp"
 #include "reports/diagnosis/diagnosis_groups.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
@@ -211,8 +214,8 @@ TEST(DiagnosisAnswer, OfWhatIsUnexplainedSaysWhere) {
 TEST(DiagnosisAnswer, SaysThatNothingIsLeftOnlyWhereChanceGivesAsMuchOftenerThanAlpha) {
   const std::string nothing = "Nothing else is left to explain";
   const std::string weak =
-      "\nWeak structure remains by strand, 3.2 deviations above chance (p = 0.011), which does not "
-      "reach this test's threshold of 0.005.\n";
+      "\nWeak structure remains by strand: 0.003 N of 3.1 N, of no practical matter (p = 0.011), "
+      "which does not reach this test's threshold of 0.005.\n";
   for (const Verdict verdict : {Verdict::none, Verdict::cause, Verdict::indistinguishable}) {
     SCOPED_TRACE(verdict_name(verdict));
     DiagnosisReport report = report_of(verdict);
@@ -220,7 +223,11 @@ TEST(DiagnosisAnswer, SaysThatNothingIsLeftOnlyWhereChanceGivesAsMuchOftenerThan
     if (verdict == Verdict::indistinguishable) {
       report.result.indistinguishable = {{"tube_friction", "wear"}};
     }
-    report.result.structure = {{"strand", 3.21, 0.004}, {"load", 1, 0.2}};
+    // √0.0009 of 0.1 N.
+    report.result.structure = {{"strand", 3.21, 0.004, 0.0009}, {"load", 1, 0.2, 0}};
+    report.result.residual_before_N = 3.1;
+    report.result.residual_after_N = 0.1;
+    report.result.cells.front().cell.measured_N = 20;
     report.result.structure_p_value = 0.011;
     EXPECT_TRUE(says(report, weak)) << diagnosis_answer(report);
     EXPECT_FALSE(says(report, nothing));
@@ -275,6 +282,51 @@ TEST(DiagnosisAnswer, SpeaksOfNoGraspOnABench) {
           << word;
     }
   }
+}
+
+// Of readings of 20 N a thousandth hardly shows, and a hundredth does.
+TEST(DiagnosisAnswer, SaysHowMuchEachCauseExplainsAndWhetherItMatters) {
+  DiagnosisReport report = report_of(Verdict::cause);
+  report.result.causes = {tubes(), other_sensor()};
+  report.result.cells.front().cell.measured_N = 20;
+  report.result.residual_before_N = 3.1;
+  report.result.causes[0].explained = {3.1, 0.99};
+  report.result.causes[1].explained = {0.03, 0.0001};
+  EXPECT_TRUE(says(report, "literature 0.05 to 0.2). It explains 3.1 N of 3.1 N.\nBesides, one "));
+  EXPECT_TRUE(says(report, "It explains 0.03 N of 3.1 N, of no practical matter.\n"));
+  report.result.causes[1].explained.rms_N = 0.2;
+  EXPECT_TRUE(says(report, "It explains 0.2 N of 3.1 N.\n"));
+}
+
+TEST(DiagnosisAnswer, HasAtMostSixLinesAndKeepsTheRest) {
+  DiagnosisReport report = report_of(Verdict::cause);
+  report.result.causes.assign(5, tubes());
+  EXPECT_TRUE(says(report, "2 further causes explain less: see the table.\n"));
+  const auto lines = [](const std::string& text) {
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  EXPECT_EQ(lines(diagnosis_answer(report)), 6);
+  EXPECT_EQ(further_answer(report), "");
+  const Effect effect{&causes::law(causes::Term{}), {}, {0.1}};
+  report.result.leads = {{effect, 12.3, std::nullopt}};
+  EXPECT_EQ(lines(diagnosis_answer(report)), 6);
+  EXPECT_EQ(further_answer(report),
+            "Strongest lead, not confirmed: exponent of tube (12.3 nats).\n");
+}
+
+TEST(DiagnosisAnswer, OfARunApartSaysHowFarItIsOff) {
+  DiagnosisReport report = report_of(Verdict::unexplained);
+  report.data.runs = {"m1", "m2"};
+  report.data.readings.resize(2);
+  report.data.readings[1].run = 1;
+  report.result.cells.assign(2, report.result.cells.front());
+  report.result.cells[0].cell = {0, 0, 0, 5.0};
+  report.result.cells[1].cell = {1, 0, 0, 9.0};
+  report.result.cells[0].after_N = report.result.cells[1].after_N = 5.5;
+  const Effect effect{&causes::law(causes::Term{}), {}, {0.1}};
+  report.result.apart = {{"m2", effect, 30}};
+  report.result.unexplained = Unexplained{"run", "run m2: exponent of tube in run m2", 0.001};
+  EXPECT_TRUE(says(report, "(residuals of 3.5 N there, 0.5 N in other runs; p = 0.001)"));
 }
 
 }  // namespace

@@ -176,6 +176,8 @@ TEST(DiagnosisEvidence, HasTheNumbersOfTheAnswerInItsTablesToTheDigit) {
   const HeldOut held_out{8.449, 0.8449, 0.9001, 0.8849, 0.9049, 206.14, 63.2, 348.6, 333.4};
   report.result.held_out = report.result.causes[0].held_out = held_out;
   report.result.held_out_runs = 2;
+  report.result.residual_before_N = 8.449;
+  report.result.causes[0].explained.rms_N = 7.5;
   report.result.weighed = {{{"tube_friction"}, 357.96, held_out}};
   const std::string text = reports::text(diagnosis_document(report));
   EXPECT_TRUE(testing::has(text, "fall by 90 % (88 % to 90 %): from 8.4 N to 0.84 N"));
@@ -184,7 +186,7 @@ TEST(DiagnosisEvidence, HasTheNumbersOfTheAnswerInItsTablesToTheDigit) {
     const std::size_t at = text.find(beginning);
     return at == std::string::npos ? "" : text.substr(at, text.find('\n', at) - at);
   };
-  EXPECT_TRUE(testing::has(line_with("tube_friction  mu"), " < 0.001 ")) << text;
+  EXPECT_TRUE(testing::has(line_with("tube_friction  7.5 N of 8.4 N  mu"), " < 0.001 ")) << text;
   EXPECT_TRUE(testing::has(line_with("tube_friction       8.4 N     0.84 N       90 %"),
                            "206    63.2 to 349"))
       << text;
@@ -216,7 +218,7 @@ TEST(DiagnosisEvidence, SaysHowSingleRunsMoveTheSizes) {
                       "between 0.060 and 0.095; run Tuesday moves it farthest."});
   // Below the causes, whether any reading has all strands or not.
   const std::string document = text(diagnosis_document(report));
-  const std::size_t causes = document.find("Causes, each by its evidence");
+  const std::size_t causes = document.find("Causes, what explains most of the residuals first");
   ASSERT_NE(causes, std::string::npos);
   EXPECT_LT(document.find("With any one run left out", causes),
             document.find("stretch by stretch"));
