@@ -105,7 +105,7 @@ struct DiagnosisResult {
   std::vector<Lead> leads;                  // where structure is left, or a term is not confirmed
   double residual_before_N = 0;             // root mean square, of all readings
   double residual_after_N = 0;
-  std::optional<HeldOut> held_out;          // all causes over none
+  std::optional<HeldOut> held_out;  // all causes over none
   std::vector<CalibratedCoefficient> calibration;
   std::vector<RunApart> apart;
   // Found in all readings, but not in most folds, or no gain on the runs that these have not seen.

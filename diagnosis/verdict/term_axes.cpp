@@ -22,16 +22,16 @@ using causes::Term;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-using Kinds = std::vector<ContactKind>;
-const Kinds tubes{ContactKind::tube};
-const Kinds sheaths{ContactKind::sheath};
-const Kinds both{ContactKind::tube, ContactKind::sheath};
-const Kinds bearings{ContactKind::bearing, ContactKind::block};
+using ContactKinds = std::vector<ContactKind>;
+const ContactKinds tubes{ContactKind::tube};
+const ContactKinds sheaths{ContactKind::sheath};
+const ContactKinds both{ContactKind::tube, ContactKind::sheath};
+const ContactKinds bearings{ContactKind::bearing, ContactKind::block};
 
 // A cause of the library that acts at contacts: at those, and what its size follows.
 struct ContactCause {
   std::string_view name;
-  const Kinds& kinds;
+  const ContactKinds& kinds;
   const char* follows;  // a covariate; "" if its size is constant
 };
 
