@@ -175,8 +175,8 @@ MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
           for (const std::size_t k : free) surprise += penalty(scatter[k], assumed_scatter[k]);
           return surprise;
         },
-        box, std::vector<double>(free.size(), 0.0),
-        evaluations * static_cast<int>(free.size() + 1), finely);
+        box, std::vector<double>(free.size(), 0.0), evaluations * static_cast<int>(free.size() + 1),
+        finely);
     result.relative = at_logarithms(best.at);
   }
   result.told_by = told_by(equations, result.relative);
