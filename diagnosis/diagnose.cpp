@@ -344,13 +344,11 @@ class Diagnosis {
     }
   }
 
-  // Beside what the readings alone tell of the coefficients, if nothing is named.
   void find_leads() {
     const bool is_asked = result_.unexplained || !result_.not_confirmed.empty() ||
                           result_.structure_p_value <= options_.alpha;
     if (too_few_ || !is_asked) return;
-    const Model& model = result_.causes.empty() ? found_.base : result_.model;
-    result_.leads = leads(sample_, found_.problem, model, found_.scatter, workers_);
+    result_.leads = leads(sample_, found_.problem, found_.model, found_.scatter, workers_);
   }
 
   void take_over(const AcceptedTerm& accepted, std::vector<NamedWithOthers>& named) {
