@@ -70,6 +70,8 @@ def test_a_diagnosis_of_the_published_readings(root, tmp_path):
     assert found.gain["reduction"] > 0.8
     assert found.answer.startswith("The friction coefficient of the sheaths")
     of_a_frame = reeve.diagnose(pd.read_csv(path, comment="#"), replicates=400)
+    for cause in [*found.summary["causes"], *of_a_frame.summary["causes"]]:
+        del cause["partial_residuals"]["points"]["line"]  # a frame has no lines of comments
     assert of_a_frame.summary["causes"] == found.summary["causes"]
     of_a_frame.page(tmp_path / "page")
     assert (tmp_path / "page/data.csv").exists()
