@@ -225,7 +225,6 @@ ScatterShape scatter_shape(const Dataset& dataset, const Model& reference,
   } else {
     noise = noise_left_by(dataset, reference);
   }
-  noise.tail_degrees = 0;
   shape.knows_mountings = within || (measured && measured->within_mountings) ||
                           mountings(dataset).size() < few_mountings;
   const VectorXd deviation_N = deviations_if_near(dataset, noise, at.reading_N);

@@ -261,6 +261,14 @@ std::optional<Forecast> try_forecast(const Dataset& dataset, const Model& model)
   return std::get<Forecast>(std::move(result));
 }
 
+std::optional<Eigen::VectorXd> reading_slope(const Dataset& dataset, const Model& less,
+                                             const Model& more, double width) {
+  const auto below = try_forecast(dataset, less);
+  const auto above = try_forecast(dataset, more);
+  if (!below || !above) return std::nullopt;
+  return (above->reading_N - below->reading_N) / width;
+}
+
 Forecast forecast(const Dataset& dataset, const Model& model) {
   auto result = attempt(dataset, model);
   if (const auto* none = std::get_if<NoForecast>(&result)) {

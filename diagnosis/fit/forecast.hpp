@@ -34,11 +34,15 @@ struct Forecast {
 // The contacts of each row, with the larger tension beside each in newton; where the motor tension
 // is not recorded, at the scale that the row's readings tell.
 using RowContacts = std::vector<std::vector<causes::SolvedContact>>;
-// Of a model that has tensions.
+// The model must have tensions.
 RowContacts contacts_of_rows(const Dataset& dataset, const Model& model);
 
 // Nothing where the model's tensions are out of range, or its hardware is none that there can be.
 std::optional<Forecast> try_forecast(const Dataset& dataset, const Model& model);
+// Readings by a value that is `width` more in one model than in the other, N per unit of it.
+// Nothing where one of them has no tensions.
+std::optional<Eigen::VectorXd> reading_slope(const Dataset& dataset, const Model& less,
+                                             const Model& more, double width);
 // Throws OutOfRange that names the line.
 Forecast forecast(const Dataset& dataset, const Model& model);
 

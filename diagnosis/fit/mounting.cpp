@@ -16,28 +16,29 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// The exponent of the n-th contact of a kind, in every routing: no cause that anybody would name,
-// but what differs between mountings.
 class OneExponent final : public Cause {
  public:
-  OneExponent(ContactKind kind, std::size_t number) : kind_(kind), number_(number) {}
+  OneExponent(ContactKind kind, std::size_t number, ExponentChange change)
+      : kind_(kind), number_(number), change_(change) {}
 
   const char* name() const override { return "exponent_of_one_contact"; }
   Reach reach() const override { return Reach::exponent; }
-  const char* meaning() const override { return "one contact's friction is another one"; }
+  const char* meaning() const override { return "the exponent of one contact differs"; }
   std::vector<Parameter> parameters(const Hardware&) const override {
     return {{"change", "1", 0, {-1, 1}, {}}};
   }
   std::vector<Subject> subjects(const Survey&) const override { return {}; }
   double exponent(double phi, const ContactLoad& load, const Conditions&,
                   const Effect& effect) const override {
-    const bool is_it = load.kind == kind_ && load.number == number_;
-    return is_it ? phi * (1 + effect.values[0]) : phi;
+    if (load.kind != kind_ || load.number != number_) return phi;
+    const double change = effect.values[0];
+    return change_ == ExponentChange::relative ? phi * (1 + change) : phi + change;
   }
 
  private:
   ContactKind kind_;
   std::size_t number_;
+  ExponentChange change_;
 };
 
 // The n-th contact of a kind.
@@ -105,7 +106,7 @@ class Exponents {
   struct One {
     Mounted kind = Mounted::sheath;
     NumberedContact contact;
-    std::unique_ptr<const OneExponent> cause;
+    std::unique_ptr<const Cause> cause;
     VectorXd change_N;               // empty if there are no tensions beside it
     std::optional<VectorXd> wide_N;  // after a wide step
   };
@@ -121,8 +122,11 @@ class Exponents {
   void list(Mounted kind, ContactKind contact) {
     const std::size_t most = most_of_a_kind(dataset_, contact);
     for (std::size_t number = 0; number < most; ++number) {
-      ones_.push_back(
-          {kind, {contact, number}, std::make_unique<OneExponent>(contact, number), {}, {}});
+      ones_.push_back({kind,
+                       {contact, number},
+                       exponent_of_one(contact, number, ExponentChange::relative),
+                       {},
+                       {}});
     }
   }
 
@@ -173,6 +177,11 @@ void put_gains(const Dataset& dataset, const VectorXd& reading, MountingModes& m
 }
 
 }  // namespace
+
+std::unique_ptr<const Cause> exponent_of_one(ContactKind kind, std::size_t number,
+                                             ExponentChange change) {
+  return std::make_unique<OneExponent>(kind, number, change);
+}
 
 std::optional<Mounted> mounted_kind(ContactKind contact) {
   if (is_bearing(contact)) return Mounted::bearing;

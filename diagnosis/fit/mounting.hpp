@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -45,6 +46,12 @@ struct Mounting {
 
 // Contacts of the kind in the routing that has the most of them.
 std::size_t most_of_a_kind(const Dataset& dataset, ContactKind kind);
+
+// The exponent of the n-th contact of a kind, in every routing: no cause that anybody would name,
+// but what differs between mountings, and what laws of contacts act through.
+enum class ExponentChange : std::uint8_t { relative, added };  // φ (1 + v) or φ + v
+std::unique_ptr<const Cause> exponent_of_one(ContactKind kind, std::size_t number,
+                                             ExponentChange change);
 
 // In the order of run and routing.
 std::vector<Mounting> mountings(const Dataset& dataset);

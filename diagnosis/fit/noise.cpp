@@ -15,11 +15,11 @@ constexpr double enough_noise_degrees = 30;
 constexpr double enough_within_runs = 15;
 
 Noise fit(const Dataset& dataset, const std::vector<ScatterSample>& samples, NoiseSource source) {
-  if (samples.empty()) return {0, 0, NoiseSource::known, 0, 0, true, {}};
+  if (samples.empty()) return {0, 0, NoiseSource::known, 0, true, {}};
   // Residuals of a model that is wrong are of many sizes, too.
-  ScatterFit found = source == NoiseSource::residuals ? normal_scatter(dataset, samples)
+  ScatterFit found = source == NoiseSource::residuals ? scatter_of_all(dataset, samples)
                                                       : likeliest_scatter(dataset, samples);
-  return {found.relative, found.absolute_N,         source, degrees(samples), found.tail,
+  return {found.relative, found.absolute_N,         source, degrees(samples),
           true,           std::move(found.of_group)};
 }
 
@@ -95,9 +95,6 @@ Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
     const double z = (measured - expected_N[i]) / near;
     if (known_noise(*dataset.data, cell.channel)) {
       result[i] = near;
-    } else if (noise.tail_degrees > 0) {
-      const double tail = noise.tail_degrees;
-      result[i] = near * std::sqrt((tail + z * z) / (tail + 1));
     } else {
       const double scale = noise.scale_of(dataset.data->readings[cell.reading]);
       result[i] = std::abs(z) <= far ? near : scale * noise.deviation(std::max(measured, 0.0));

@@ -16,13 +16,8 @@
 // Where the motor tension is known to scatter, what goes with it in all readings of a row is taken
 // out of them; of a reading that is alone in its row, the known variance is.
 //
-// Readings may scatter with heavier tails than normal ones: Student's t of ν degrees of freedom,
-// where that is clearly the likelier (K. L. Lange, R. J. A. Little, J. M. G. Taylor, J. Am. Stat.
-// Assoc. 84, 1989). sd is then the scale of the t, and a reading z scales away from what a model
-// expects weighs as one of the scale sd √((ν + z²) / (ν + 1)).
-//
 // Where somebody names groups of rows (winches, operators), each may have f times the noise of all,
-// if that is clearly the likelier: two noises in one file look like heavy tails.
+// if that is clearly likelier.
 #pragma once
 
 #include <Eigen/Core>
@@ -51,7 +46,6 @@ struct Noise {
                           // does not weigh infinitely
   NoiseSource source = NoiseSource::residuals;
   double degrees_of_freedom = 0;
-  double tail_degrees = 0;         // ν; 0: normal
   bool within_mountings = true;    // otherwise it contains what differs between them
   std::vector<double> of_group{};  // f, parallel to the data's groups; empty: they scatter alike
 

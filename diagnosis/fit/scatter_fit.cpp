@@ -13,27 +13,18 @@ namespace {
 
 constexpr double floor_share = 1e-3;  // of the median reading
 constexpr double least_relative = 1e-5;
-constexpr double heavy_tails[] = {3, 6};
-constexpr double normal_tail = 0;
-// Normal, but of readings that are wrong by accident, as evidence takes them (evidence.hpp).
-constexpr double clipped_tail = -1;
-// Chi-squared of one degree of freedom, on its edge.
-constexpr double cost_of_tails = 9.5;
 constexpr double surely = 0.999;
 // Of a group, so that its scatter is known to 18 %.
 constexpr double enough_of_group = 15;
 
 // Of the square of a residual in units of its scatter.
-double surprise(double square, double tail) {
-  if (tail > 0) return (tail + 1) * std::log1p(square / tail);
+double surprise(double square) {
   constexpr double far = outlying * outlying;
-  if (tail == normal_tail || square <= far) return square;
-  return far * (1 + std::log(square / far));
+  return square <= far ? square : far * (1 + std::log(square / far));
 }
 
 // Twice the negative restricted log-likelihood, but for a constant.
-double misfit(const std::vector<ScatterSample>& samples, double absolute, double relative,
-              double tail) {
+double misfit(const std::vector<ScatterSample>& samples, double absolute, double relative) {
   double sum = 0;
   for (const ScatterSample& sample : samples) {
     if (sample.kept <= 0) continue;
@@ -41,14 +32,9 @@ double misfit(const std::vector<ScatterSample>& samples, double absolute, double
     const double own = absolute * absolute + scatter * scatter;
     const double variance = sample.scale * sample.scale * own + sample.motor_variance_N2;
     const double square = sample.residual_N * sample.residual_N / variance;
-    sum += sample.kept * std::log(variance) + sample.kept * surprise(square / sample.kept, tail);
+    sum += sample.kept * std::log(variance) + sample.kept * surprise(square / sample.kept);
   }
   return sum;
-}
-
-// Of a density of Student's t over that of a normal one at 0, twice the logarithm.
-double height(double tail) {
-  return 2 * (std::lgamma((tail + 1) / 2) - std::lgamma(tail / 2)) - std::log(tail / 2);
 }
 
 struct Trial {
@@ -56,19 +42,18 @@ struct Trial {
   double misfit = 0;
 };
 
-Trial trial(const Dataset& dataset, const std::vector<ScatterSample>& samples, double tail) {
+Trial trial(const Dataset& dataset, const std::vector<ScatterSample>& samples) {
   constexpr int evaluations = 150;
   const double level = median_reading(dataset);
   const std::vector<Interval> box{{std::log(least_absolute(dataset)), std::log(10 * level)},
                                   {std::log(least_relative), std::log(2.0)}};
   const auto penalty = [](const std::vector<double>& x) { return 2 * (x[0] + x[1]); };
   const auto at = [&](const std::vector<double>& x) {
-    return misfit(samples, std::exp(x[0]), std::exp(x[1]), tail);
+    return misfit(samples, std::exp(x[0]), std::exp(x[1]));
   };
   const Minimum best =
       minimise([&](const std::vector<double>& x) { return at(x) - penalty(x); }, box, evaluations);
-  return {{std::exp(best.at[0]), std::exp(best.at[1]), tail, {}},
-          best.value + penalty(best.at) - (tail <= 0 ? 0 : degrees(samples) * height(tail))};
+  return {{std::exp(best.at[0]), std::exp(best.at[1]), {}}, best.value + penalty(best.at)};
 }
 
 std::vector<ScatterSample> mostly_free(std::vector<ScatterSample> samples) {
@@ -110,7 +95,7 @@ double scale_beside(std::vector<ScatterSample> own, const ScatterFit& all) {
   const Minimum best = refine(
       [&](const std::vector<double>& x) {
         for (ScatterSample& sample : own) sample.scale = std::exp(x[0]);
-        return misfit(own, all.absolute_N, all.relative, all.tail);
+        return misfit(own, all.absolute_N, all.relative);
       },
       {{-most, most}}, {0}, evaluations);
   return std::exp(best.at[0]);
@@ -135,16 +120,16 @@ std::vector<double> scales_beside(const std::vector<std::vector<ScatterSample>>&
 
 // Nothing if fewer than two groups have enough samples.
 std::optional<Trial> trial_by_group(const Dataset& dataset,
-                                    const std::vector<ScatterSample>& samples, double tail) {
+                                    const std::vector<ScatterSample>& samples) {
   constexpr int rounds = 2;  // the scatter of all, and that of groups beside it
   const auto groups = by_group(dataset, samples);
   const auto own =
       std::count_if(groups.begin(), groups.end(), [](const auto& group) { return !group.empty(); });
   if (own < 2) return std::nullopt;
-  Trial best = trial(dataset, samples, tail);
+  Trial best = trial(dataset, samples);
   for (int round = 0; round < rounds; ++round) {
     std::vector<double> scales = scales_beside(groups, best.fit);
-    best = trial(dataset, scaled(dataset, samples, scales), tail);
+    best = trial(dataset, scaled(dataset, samples, scales));
     best.fit.of_group = std::move(scales);
   }
   best.misfit += chi_squared_quantile(surely, static_cast<double>(own - 1));
@@ -161,30 +146,19 @@ double degrees(const std::vector<ScatterSample>& samples) {
 
 double least_absolute(const Dataset& dataset) { return floor_share * median_reading(dataset); }
 
-ScatterFit normal_scatter(const Dataset& dataset, const std::vector<ScatterSample>& samples) {
-  ScatterFit fit = trial(dataset, samples, clipped_tail).fit;
-  fit.tail = normal_tail;
-  return fit;
+ScatterFit scatter_of_all(const Dataset& dataset, const std::vector<ScatterSample>& samples) {
+  return trial(dataset, samples).fit;
 }
 
 ScatterFit likeliest_scatter(const Dataset& dataset, const std::vector<ScatterSample>& samples) {
+  if (dataset.data->groups.size() < 2) return scatter_of_all(dataset, samples);
   const std::vector<ScatterSample> free = mostly_free(samples);
-  Trial best = trial(dataset, free, normal_tail);
-  const auto consider = [&](const std::optional<Trial>& other, double cost) {
-    if (!other || other->misfit + cost >= best.misfit) return;
-    best = *other;
-    best.misfit += cost;
-  };
-  for (const double tail : heavy_tails) consider(trial(dataset, free, tail), cost_of_tails);
-  if (dataset.data->groups.size() > 1) {
-    consider(trial_by_group(dataset, free, normal_tail), 0);
-    for (const double tail : heavy_tails) {
-      consider(trial_by_group(dataset, free, tail), cost_of_tails);
-    }
+  const auto by_itself = trial_by_group(dataset, free);
+  if (!by_itself || by_itself->misfit >= trial(dataset, free).misfit) {
+    return scatter_of_all(dataset, samples);
   }
-  ScatterFit result =
-      trial(dataset, scaled(dataset, samples, best.fit.of_group), best.fit.tail).fit;
-  result.of_group = std::move(best.fit.of_group);
+  ScatterFit result = scatter_of_all(dataset, scaled(dataset, samples, by_itself->fit.of_group));
+  result.of_group = by_itself->fit.of_group;
   return result;
 }
 

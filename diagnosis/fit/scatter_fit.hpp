@@ -1,17 +1,15 @@
-// Which noise (noise.hpp) is the likeliest for samples of it: normal or with heavy tails, of all
-// rows alike or of each group of rows by itself.
+// Which noise (noise.hpp) is the likeliest for samples of it, of all rows alike or of each group of
+// rows by itself.
 //
 //   v = f_g² (absolute² + (relative T)²) + what is known of the motor tension
-//   −2 ℓ = Σ k ln v + r² / v                                     normal; beyond 3.5² as in
-//                                                                robust_misfit of evidence.hpp
-//                                                                where a model left the residuals
-//        = Σ k ln v + k (ν + 1) ln(1 + r² / (k ν v)) + constant   Student's t
+//   −2 ℓ = Σ k ln v + r² / v,   r² / (k v) beyond 3.5² as in robust_misfit of evidence.hpp
 //
-// of residuals r of which the part k of the variance is left. Least is −2 ℓ − 2 ln absolute − 2 ln
+// of residuals r of which the part k of the variance is left. Readings beyond 3.5 standard
+// deviations are wrong by accident and shape no noise. Least is −2 ℓ − 2 ln absolute − 2 ln
 // relative: where samples hardly tell one of them the likeliest is often none, and readings at the
 // other end of the range would weigh far too much; so it is about a standard error from that
 // (Y. Chung, S. Rabe-Hesketh, V. Dorie, A. Gelman, J. Liu, Psychometrika 78, 2013). More parameters
-// have to be clearly the likelier: chance alone may make −2 ℓ fall so far in 1 of 1000 samples.
+// have to be clearly likelier: chance alone may make −2 ℓ fall so far in 1 of 1000 samples.
 #pragma once
 
 #include <vector>
@@ -33,14 +31,14 @@ double least_absolute(const Dataset& dataset);
 struct ScatterFit {
   double absolute_N = 0;
   double relative = 0;
-  double tail = 0;               // ν; 0: normal
   std::vector<double> of_group;  // f, with the geometric mean 1, and 1 of
                                  // a group that few samples tell; empty: all alike
 };
 
-ScatterFit normal_scatter(const Dataset& dataset, const std::vector<ScatterSample>& samples);
+// Of all rows alike.
+ScatterFit scatter_of_all(const Dataset& dataset, const std::vector<ScatterSample>& samples);
 
-// Tails and groups are judged by `free` samples, of which the estimate leaves most: the others are
+// Groups are judged by `free` samples, of which the estimate leaves most: the others are
 // mixtures of several readings' scatter.
 ScatterFit likeliest_scatter(const Dataset& dataset, const std::vector<ScatterSample>& samples);
 

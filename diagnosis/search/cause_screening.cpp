@@ -22,14 +22,12 @@ VectorXd by_size(const Dataset& dataset, const Model& model, std::size_t effect,
   const auto moved = [&](double to) {
     Model there = model;
     there.effects[effect].values.front() = to;
-    return try_forecast(dataset, there);
+    return there;
   };
   const double up = std::min(value + step, parameter.range.high);
   const double down = std::max(value - step, parameter.range.low);
-  const auto above = moved(up);
-  const auto below = moved(down);
-  if (!above || !below) return VectorXd::Zero(static_cast<Index>(dataset.cells.size()));
-  return (above->reading_N - below->reading_N) / (up - down);
+  return reading_slope(dataset, moved(down), moved(up), up - down)
+      .value_or(VectorXd::Zero(static_cast<Index>(dataset.cells.size())));
 }
 
 }  // namespace

@@ -102,14 +102,6 @@ class LawFamilies {
   }
 
  private:
-  struct RowLaw {
-    Form form = Form::constant;
-    std::size_t x = 0;
-    std::size_t y = 0;
-    double shape = 0;          // of a product: whether y is taken by its logarithm
-    bool logarithmic = false;  // of a wave: the cosine
-  };
-
   static constexpr std::size_t constant_kind = 0;
 
   struct Found {
@@ -118,54 +110,15 @@ class LawFamilies {
     std::size_t kind = 0;  // of the covariates and whether it is bent
   };
 
-  const LawScreening::RowCovariate& covariate(std::size_t c) const {
-    return screening_.covariates_[c];
-  }
+  const RowCovariate& covariate(std::size_t c) const { return screening_.covariates_[c]; }
 
-  double value(const RowLaw& law, std::size_t row) const {
-    if (law.form == Form::constant) return 1;
-    const auto r = static_cast<Index>(row);
-    const auto& of = covariate(law.x);
-    const double x = of.by_row[r];
-    const double middle = of.covariate.middle;
-    switch (law.form) {
-      case Form::log:
-        return std::log(x / middle);
-      case Form::power:
-        return std::pow(x / middle, law.shape) - 1;
-      case Form::quadratic:
-        return (x - law.shape) * (x - law.shape);
-      case Form::exponential:
-        return 1 - std::exp(-x / law.shape);
-      case Form::hinge:
-        return std::max(0.0, x - law.shape);
-      case Form::step:
-        return x > law.shape ? 1 : 0;
-      case Form::product: {
-        const Covariate& other = covariate(law.y).covariate;
-        const double y = covariate(law.y).by_row[r];
-        return (law.logarithmic ? std::log(x / middle) : x - middle) *
-               (law.shape > 0 ? std::log(y / other.middle) : y - other.middle);
-      }
-      case Form::sine: {
-        const double turn = 2 * std::numbers::pi * x / law.shape;
-        return law.logarithmic ? std::cos(turn) : std::sin(turn);
-      }
-      default:
-        return x - middle;
-    }
-  }
-
-  // Of each cell and law.
+  // The values of each law, a row for each cell.
   MatrixXd values(const std::vector<RowLaw>& laws) const {
+    const auto rows = static_cast<Index>(screening_.reading_of_row_.size());
     MatrixXd result(static_cast<Index>(cells_.size()), static_cast<Index>(laws.size()));
     for (std::size_t j = 0; j < laws.size(); ++j) {
-      for (std::size_t i = 0; i < cells_.size(); ++i) {
-        const bool again = i > 0 && row_of_cell_[i] == row_of_cell_[i - 1];
-        const auto k = static_cast<Index>(i);
-        const auto column = static_cast<Index>(j);
-        result(k, column) = again ? result(k - 1, column) : value(laws[j], row_of_cell_[i]);
-      }
+      result.col(static_cast<Index>(j)) =
+          value_by_row(screening_.covariates_, laws[j], rows)(row_of_cell_);
     }
     return result;
   }
@@ -231,7 +184,7 @@ class LawFamilies {
     return std::log(1.0 + static_cast<double>(screening_.covariates_.size()));
   }
   double price_of(const Lever& lever, std::size_t c) const {
-    return price_of_covariate() + covariate(c).price +
+    return price_of_covariate() + (covariate(c).is_place ? price_of_place : 0) +
            price_of_part * static_cast<double>(lever.breadth);
   }
 
@@ -305,16 +258,16 @@ class LawFamilies {
   void list_laws() {
     const std::size_t count = screening_.covariates_.size();
     std::vector<RowLaw> laws{{}};
-    for (std::size_t c = 0; c < count; ++c) laws.push_back({Form::linear, c, 0, 0, false});
+    for (std::size_t c = 0; c < count; ++c) laws.push_back({Form::linear, c});
     log_column_.assign(count, 0);
     for (std::size_t c = 0; c < count; ++c) {
       if (!is_logarithmic(c)) continue;
       log_column_[c] = laws.size();
-      laws.push_back({Form::log, c, 0, 0, false});
+      laws.push_back({Form::log, c});
     }
     first_quadratic_ = laws.size();
     for (std::size_t c = 0; c < count; ++c) {
-      laws.push_back({Form::quadratic, c, 0, covariate(c).covariate.middle, false});
+      laws.push_back({Form::quadratic, c, 0, {1, covariate(c).covariate.middle}});
     }
     first_product_ = laws.size();
     add_products();
@@ -370,9 +323,8 @@ class LawFamilies {
   // A motor tension that scatters is no covariate: a law of it would follow its scatter. Nor is the
   // order of readings that were set, which goes with what they were set to.
   bool is_of_noise(std::size_t c) const {
-    const bool is_place = covariate(c).price > 0;
     return (covariate(c).is_motor && problem_.motor_deviation_N.size() > 0) ||
-           (is_place && are_set_);
+           (covariate(c).is_place && are_set_);
   }
 
   bool is_logarithmic(std::size_t c) const {
@@ -391,8 +343,8 @@ class LawFamilies {
       for (int k = 2; k <= most_waves && k <= static_cast<int>(of.distinct.size()) / 2; ++k) {
         const double period = 2 * span / k;
         waves_.emplace_back(c, period);
-        laws.push_back({Form::sine, c, 0, period, false});
-        laws.push_back({Form::sine, c, 0, period, true});
+        laws.push_back({Form::sine, c, 0, {1, 0, period}});
+        laws.push_back({Form::sine, c, 0, {0, 1, period}});
       }
     }
     wave_values_ = values(laws);
@@ -435,11 +387,11 @@ class LawFamilies {
   void add_products() {
     for (std::size_t x = 0; x < screening_.covariates_.size(); ++x) {
       for (std::size_t y = 0; y < x; ++y) {
-        if (covariate(x).price > 0 || covariate(y).price > 0) continue;
+        if (covariate(x).is_place || covariate(y).is_place) continue;
         if (is_of_noise(x) || is_of_noise(y)) continue;
-        products_.push_back({Form::product, x, y, 0, false});
-        if (is_logarithmic(x)) products_.push_back({Form::product, x, y, 0, true});
-        if (is_logarithmic(y)) products_.push_back({Form::product, x, y, 1, false});
+        products_.push_back({Form::product, x, y});
+        if (is_logarithmic(x)) products_.push_back({Form::product, x, y, {1}, true});
+        if (is_logarithmic(y)) products_.push_back({Form::product, x, y, {1}, false, true});
       }
     }
   }
@@ -538,8 +490,8 @@ class LawFamilies {
               1000 + of.x * screening_.covariates_.size() + of.y};
     made.term.x = covariate(of.x).covariate;
     made.term.y = covariate(of.y).covariate;
-    made.term.x.logarithmic = of.logarithmic;
-    made.term.y.logarithmic = of.shape > 0;
+    made.term.x.logarithmic = of.x_logarithmic;
+    made.term.y.logarithmic = of.y_logarithmic;
     const Family alone = family(seen, {column});
     if (alone.gain > 0) {
       made.values = {alone.size[0]};
@@ -549,8 +501,8 @@ class LawFamilies {
     const auto own_column = [&](std::size_t c, bool logarithmic) {
       return static_cast<Index>(logarithmic ? log_column_[c] : 1 + c);
     };
-    const Family crossed =
-        family(seen, {own_column(of.x, of.logarithmic), own_column(of.y, of.shape > 0), column});
+    const Family crossed = family(
+        seen, {own_column(of.x, of.x_logarithmic), own_column(of.y, of.y_logarithmic), column});
     if (!(crossed.gain > 0)) return;
     if (!move_crossing(made.term.x, crossed.size[1], crossed.size[2]) ||
         !move_crossing(made.term.y, crossed.size[0], crossed.size[2])) {
@@ -620,42 +572,73 @@ class LawFamilies {
   }
 
   void screen_bent(std::size_t l, std::size_t c) {
-    const auto& of = covariate(c);
-    const auto [low, high] = of.covariate.seen;
+    const auto [low, high] = covariate(c).covariate.seen;
     std::vector<RowLaw> laws;
     if (low > 0) {
       for (const double b : {-2.0, -1.0, -0.5, 0.5, 2.0, 3.0}) {
-        laws.push_back({Form::power, c, 0, b, false});
+        laws.push_back({Form::power, c, 0, {1, b}});
       }
     }
     if (high > 0) {
       for (const double part : {0.05, 0.1, 0.2, 0.4, 0.8}) {
-        laws.push_back({Form::exponential, c, 0, part * high, false});
+        laws.push_back({Form::exponential, c, 0, {1, part * high}});
       }
     }
     for (int k = 0; k <= 8; ++k) {
-      laws.push_back({Form::quadratic, c, 0, low + (high - low) * (k - 2) / 4, false});
+      laws.push_back({Form::quadratic, c, 0, {1, low + (high - low) * (k - 2) / 4}});
     }
-    const std::vector<double>& knots = of.distinct;
-    const std::size_t step = std::max<std::size_t>(1, knots.size() / most_knots);
-    for (std::size_t k = 0; k + 1 < knots.size(); k += step) {
-      const double between = (knots[k] + knots[k + 1]) / 2;
-      if (k > 0) laws.push_back({Form::hinge, c, 0, between, false});
-      laws.push_back({Form::step, c, 0, between, false});
+    keep_bent(l, c, laws);
+    screen_knots(l, c, Form::hinge, 1);
+    screen_knots(l, c, Form::step, 0);
+  }
+
+  // A hinge or a step between any two neighbours of the recorded values: a few over the range
+  // first, then all about the best. No fit would move a step, and next to its place another run
+  // pays.
+  void screen_knots(std::size_t l, std::size_t c, Form form, std::size_t first) {
+    const std::vector<double>& values = covariate(c).distinct;
+    const std::size_t stride = std::max<std::size_t>(1, values.size() / most_knots);
+    const auto between = [&](std::size_t k) {
+      return RowLaw{form, c, 0, {1, (values[k] + values[k + 1]) / 2}};
+    };
+    std::vector<std::size_t> knots;
+    std::vector<RowLaw> laws;
+    for (std::size_t k = first; k + 1 < values.size(); k += stride) {
+      knots.push_back(k);
+      laws.push_back(between(k));
     }
+    if (laws.empty()) return;
+    const std::size_t best = knots[keep_bent(l, c, laws)];
+    laws.clear();
+    const std::size_t last = std::min(best + stride, values.size() - 1);
+    for (std::size_t k = std::max(best, first + stride) - stride + 1; k < last; ++k) {
+      if (k != best) laws.push_back(between(k));
+    }
+    if (!laws.empty()) keep_bent(l, c, laws);
+  }
+
+  // Returns which of the laws gains most.
+  std::size_t keep_bent(std::size_t l, std::size_t c, const std::vector<RowLaw>& laws) {
     const MatrixXd seen = columns(screening_.levers_[l], values(laws));
+    std::size_t best = 0;
+    double greatest = 0;
     for (std::size_t j = 0; j < laws.size(); ++j) {
       const Family bent = family(seen, {static_cast<Index>(j)});
       if (!(bent.gain > 0)) continue;
+      if (bent.gain > greatest) {
+        greatest = bent.gain;
+        best = j;
+      }
       Made made{term(screening_.levers_[l], laws[j].form),
-                {bent.size[0], laws[j].shape},
+                {bent.size[0], laws[j].values[1]},
                 {},
                 price_of(screening_.levers_[l], c) + price_of_bend,
                 bent.gain,
                 3 + 3 * c};
-      made.term.x = of.covariate;
+      made.term.x = covariate(c).covariate;
       keep(l, made);
     }
+    return best;
   }
 
   const LawScreening& screening_;
@@ -683,34 +666,10 @@ class LawFamilies {
   std::vector<Bend> bends_;
 };
 
-namespace {
-
-std::optional<double> recorded(const Covariate& covariate, const DatasetRow& row,
-                               const Reading& reading) {
-  using causes::CovariateKind;
-  switch (covariate.kind) {
-    case CovariateKind::motor:
-      return reading.motor_tension_N;
-    case CovariateKind::speed:
-      return reading.speed_mm_s;
-    case CovariateKind::cycle:
-      return reading.cycle;
-    case CovariateKind::temperature:
-      return reading.temperature_C;
-    default:
-      break;
-  }
-  for (const causes::NamedValue& column : row.conditions.record->columns) {
-    if (column.name == covariate.column) return column.value;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 LawScreening::LawScreening(const Dataset& dataset, const Model& model, const Forecast& at,
                            Workers& workers)
     : levers_(levers(dataset, model, at, workers)),
+      covariates_(row_covariates(dataset)),
       runs_(dataset.data->runs),
       groups_(dataset.data->groups) {
   for (const DatasetRow& row : dataset.rows) {
@@ -723,47 +682,6 @@ LawScreening::LawScreening(const Dataset& dataset, const Model& model, const For
   for (const Lever& lever : levers_) {
     levers_of_breadth_[static_cast<std::size_t>(lever.breadth)] += 1;
   }
-  using causes::CovariateKind;
-  for (const char* name : {"motor_tension_N", "speed_mm_s", "cycle", "temperature_C"}) {
-    add_covariate(causes::covariate_named(name), false, dataset);
-  }
-  for (const char* name : {"order", "run"}) {
-    add_covariate({CovariateKind::column, name, {}, 0, {}, false}, true, dataset);
-  }
-  add_covariate({CovariateKind::column, "sheath_angle_rad", {}, 0, {}, false}, false, dataset);
-  for (const std::string& name : dataset.data->covariates) {
-    add_covariate({CovariateKind::column, name, {}, 0, {}, false}, false, dataset);
-  }
-}
-
-void LawScreening::add_covariate(Covariate covariate, bool is_place, const Dataset& dataset) {
-  RowCovariate result;
-  result.is_motor = covariate.kind == causes::CovariateKind::motor;
-  result.by_row.resize(static_cast<Index>(dataset.rows.size()));
-  std::vector<double> values;
-  std::vector<std::size_t> missing;
-  for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
-    const DatasetRow& row = dataset.rows[r];
-    const Reading& reading = dataset.data->readings[row.reading];
-    const std::optional<double> x = recorded(covariate, row, reading);
-    if (x) {
-      values.push_back(*x);
-      result.by_row[static_cast<Index>(r)] = *x;
-    } else {
-      missing.push_back(r);
-    }
-  }
-  std::sort(values.begin(), values.end());
-  if (values.size() < 3) return;
-  covariate.middle = values[values.size() / 2];
-  covariate.seen = {values.front(), values.back()};
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  if (values.size() < 2) return;
-  for (const std::size_t r : missing) result.by_row[static_cast<Index>(r)] = covariate.middle;
-  result.covariate = covariate;
-  result.distinct = std::move(values);
-  result.price = is_place ? price_of_place : 0;
-  covariates_.push_back(std::move(result));
 }
 
 std::vector<ScreenedLaw> LawScreening::best(const Problem& problem, const Forecast& at,

@@ -21,6 +21,7 @@
 #include "causes/cause.hpp"
 #include "diagnosis/fit/null_model.hpp"
 #include "diagnosis/search/levers.hpp"
+#include "diagnosis/search/row_laws.hpp"
 
 namespace reeve::diagnosis {
 
@@ -43,17 +44,6 @@ class LawScreening {
 
  private:
   friend class LawFamilies;
-
-  // What rows record that differs from row to row.
-  struct RowCovariate {
-    Covariate covariate;
-    Eigen::VectorXd by_row;
-    std::vector<double> distinct;  // ascending
-    double price = 0;
-    bool is_motor = false;
-  };
-
-  void add_covariate(Covariate covariate, bool is_place, const Dataset& dataset);
 
   std::vector<Lever> levers_;
   std::vector<RowCovariate> covariates_;

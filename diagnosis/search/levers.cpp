@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -22,28 +21,6 @@ using Eigen::VectorXd;
 constexpr std::array site_kinds{ContactKind::tube, ContactKind::sheath, ContactKind::bearing,
                                 ContactKind::block};
 
-// The exponent of the n-th contact of a kind, in every routing.
-class ExponentAddend final : public Cause {
- public:
-  ExponentAddend(ContactKind kind, std::size_t number) : kind_(kind), number_(number) {}
-
-  const char* name() const override { return "exponent_addend"; }
-  Reach reach() const override { return Reach::exponent; }
-  const char* meaning() const override { return "the exponent of one contact differs"; }
-  std::vector<Parameter> parameters(const Hardware&) const override {
-    return {{"change", "1", 0, {-1, 1}, {}}};
-  }
-  std::vector<Subject> subjects(const Survey&) const override { return {}; }
-  double exponent(double phi, const ContactLoad& load, const Conditions&,
-                  const Effect& effect) const override {
-    return load.kind == kind_ && load.number == number_ ? phi + effect.values[0] : phi;
-  }
-
- private:
-  ContactKind kind_;
-  std::size_t number_;
-};
-
 struct ContactColumn {
   ContactKind kind = ContactKind::tube;
   std::size_t number = 0;
@@ -52,16 +29,14 @@ struct ContactColumn {
 
 VectorXd by_exponent(const Dataset& dataset, const Model& model, const ContactColumn& slot) {
   constexpr double step = 1e-4;
-  const ExponentAddend addend(slot.kind, slot.number);
+  const auto cause = exponent_of_one(slot.kind, slot.number, ExponentChange::added);
   const auto moved = [&](double by) {
     Model there = model;
-    there.effects.push_back({&addend, {}, {by}});
-    return try_forecast(dataset, there);
+    there.effects.push_back({cause.get(), {}, {by}});
+    return there;
   };
-  const auto above = moved(step);
-  const auto below = moved(-step);
-  if (!above || !below) return VectorXd::Zero(static_cast<Index>(dataset.cells.size()));
-  return (above->reading_N - below->reading_N) / (2 * step);
+  return reading_slope(dataset, moved(-step), moved(step), 2 * step)
+      .value_or(VectorXd::Zero(static_cast<Index>(dataset.cells.size())));
 }
 
 std::vector<ContactColumn> slots(const Dataset& dataset, const Model& model, Workers& workers) {

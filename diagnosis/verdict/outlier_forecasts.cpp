@@ -16,9 +16,9 @@ constexpr std::size_t most_told = 3;
 constexpr double most_degrees = 6;
 
 double far(const Noise& noise, double alpha, std::size_t cells) {
-  const double degrees = noise.tail_degrees > 0 ? noise.tail_degrees : noise.degrees_of_freedom;
   const double chance = structure_share_of_alpha * alpha / static_cast<double>(cells);
-  return student_t_quantile(1 - chance / 2, std::clamp(degrees, 1.0, most_degrees));
+  return student_t_quantile(1 - chance / 2,
+                            std::clamp(noise.degrees_of_freedom, 1.0, most_degrees));
 }
 
 std::string told(const ComparedCell& cell, const MeasuredData& data) {

@@ -105,11 +105,6 @@ OutlierCounts counts_of(const std::vector<JudgedCell>& cells) {
 
 class OutlierChances {
  public:
-  explicit OutlierChances(const Noise& noise)
-      : by_noise_(two_sided_p_value(outlier_deviations, noise.tail_degrees > 0
-                                                            ? noise.tail_degrees
-                                                            : most_degrees_of_far)) {}
-
   double family_wise(const OutlierCount& part, const OutlierCounts& counts) const {
     const OutlierCount others = counts.whole.without(part);
     const double elsewhere =
@@ -130,7 +125,7 @@ class OutlierChances {
   }
 
  private:
-  double by_noise_;
+  double by_noise_ = two_sided_p_value(outlier_deviations, most_degrees_of_far);
 };
 
 class OutlierFinder {
@@ -139,7 +134,6 @@ class OutlierFinder {
       : search_(search),
         workers_(workers),
         stop_(stop),
-        chances_(search.noise),
         limit_(structure_share_of_alpha * search.alpha) {
     add(search.training);
     if (search.held_out != nullptr) add(*search.held_out);

@@ -1,22 +1,22 @@
 // Readings far from the final model that keep together: of one channel, in some runs.
 //
-// Student's t takes any reading for noise, however far out, and lets it weigh little; so it does
-// with a sensor that steps, sticks or fails in some runs, and what is judged by what readings weigh
-// (structure.hpp) does not see it. But noise chooses no channel and no run. That k or more of the n
-// cells of a channel, or of a channel in a run, are far (outlier_cells.hpp) has the chance
+// Evidence lets a reading far out weigh little (fit/evidence.hpp), also those of a sensor that
+// steps, sticks or fails in some runs; what is judged by what readings weigh (structure.hpp) does
+// not see it. But noise chooses no channel and no run. That k or more of the n cells of a channel,
+// or of a channel in a run, are far (JudgedCell) has the chance
 //
 //   P(X ≥ k),  X ~ B(n, q)
 //
-// times the number of these groups. q: the chance that t gives one, or their share among all other
-// cells, if that is more. Mountings whose contacts stick or slide are far in whole runs, too: what
-// is rarer than a quarter of alpha is judged again by mountings that are solved
-// (mounted_draws.hpp), by the rarest group of each draw.
+// times the number of these groups. q: the chance that Student's t of few degrees of freedom gives
+// one, or their share among all other cells, if that is more. Mountings whose contacts stick or
+// slide are far in whole runs, too: what is rarer than a quarter of alpha is judged again by
+// mountings that are solved (mounted_draws.hpp), by the rarest group of each draw.
 //
 // Held-out runs are looked at, too: nothing is fitted to what is found. Where many of all other
 // readings are far, too, they keep to nothing, and none is found.
 //
 // Where far readings are of some runs, or on one side, or change sides with the load
-// (outlier_sides.hpp), they follow something, and the verdict says so. Otherwise the channel
+// (OutlierSides), they follow something, and the verdict says so. Otherwise the channel
 // scatters more than the others.
 #pragma once
 
@@ -38,7 +38,7 @@ namespace reeve::diagnosis {
 //
 //   z = (T − m) / √(sd² + s²)
 //
-// sd: of the noise, where Student's t would weigh a reading far out by a greater one, without that;
+// sd: of the noise, not less for a reading that is far out;
 // s: of what the reading shares with its mounting, all of whose contacts may be off to the same
 // side: Σ |s_k| over what a mounting changes, not the root of the sum of squares that independent
 // ones have.

@@ -39,14 +39,6 @@ struct PartView {
   VectorXd by_law;       // S
 };
 
-std::optional<VectorXd> slope(const Dataset& dataset, const Model& more, const Model& less,
-                              double step) {
-  const auto above = try_forecast(dataset, more);
-  const auto below = try_forecast(dataset, less);
-  if (!above || !below) return std::nullopt;
-  return (above->reading_N - below->reading_N) / (2 * step);
-}
-
 Model with_levers(Model model, const std::vector<Term>& levers, double step) {
   for (const Term& lever : levers) add_effect(model, {&causes::law(lever), {}, {step}});
   return model;
@@ -64,13 +56,14 @@ std::optional<VectorXd> slope_of(const Dataset& dataset, const Model& model, std
     return VectorXd::Ones(static_cast<Index>(dataset.cells.size()));
   }
   if (!axes.levers.empty()) {
-    return slope(dataset, with_levers(model, axes.levers, small_step),
-                 with_levers(model, axes.levers, -small_step), small_step);
+    return reading_slope(dataset, with_levers(model, axes.levers, -small_step),
+                         with_levers(model, axes.levers, small_step), 2 * small_step);
   }
   const Cause& cause = *model.effects[effect].cause;
   const Range range = cause.parameters(model.hardware).front().range;
   const double step = small_step * (range.high - range.low);
-  return slope(dataset, with_size(model, effect, step), with_size(model, effect, -step), step);
+  return reading_slope(dataset, with_size(model, effect, -step), with_size(model, effect, step),
+                       2 * step);
 }
 
 std::optional<PartView> view(const Dataset& dataset, bool held_out, const Model& model,

@@ -34,7 +34,7 @@ def test_one_line_says_what_it_is(diagnosis, simulated, sized):
     assert repr(found) == f"<reeve.Exploration: 2 fingers, {counted} designs, 3 on the front>"
     assert repr(reeve.rank("TR1", "TR7")) == "<reeve.Ranking: 2 designs, TR7 first>"
     assert repr(diagnosis) == (
-        "<reeve.Diagnosis: indistinguishable (tube_friction, sheath_friction, "
+        "<reeve.Diagnosis: indistinguishable (sheath_friction, tube_friction, "
         "law[exponent of tube 3 of M-1-T-2-F]), 28 readings>")
     assert repr(simulated) == "<reeve.Simulation: 6 simulated readings in 2 runs>"
     assert repr(reeve.compare(simulated.data)).startswith(

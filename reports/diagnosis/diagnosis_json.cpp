@@ -151,7 +151,6 @@ Json noise_json(const DiagnosisReport& report) {
           {"absolute_N", noise.absolute_N},
           {"source", noise_source_name(noise.source)},
           {"degrees_of_freedom", noise.degrees_of_freedom},
-          {"tail_degrees_of_freedom", noise.tail_degrees},
           {"within_mountings", noise.within_mountings},
           {"of_group", noise_of_groups_json(report)}};
 }

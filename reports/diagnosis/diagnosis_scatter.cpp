@@ -100,12 +100,6 @@ Json coefficient_json(const CalibratedCoefficient& coefficient) {
 
 std::vector<std::string> scatter_sentences(const DiagnosisResult& result) {
   std::vector<std::string> sentences;
-  if (result.noise.tail_degrees > 0) {
-    sentences.push_back(fmt::format(
-        "Readings scatter with heavy tails: as Student's t of {:.0f} degrees of freedom, of which "
-        "the noise is the scale; readings far out weigh little.",
-        result.noise.tail_degrees));
-  }
   if (result.row_scatter) sentences.push_back(row_sentence(result));
   if (!is_present(result.mounting)) return sentences;
   for (std::string sentence : {known_sentence(result), assumed_sentence(result.mounting)}) {

@@ -163,7 +163,7 @@ TEST(KnownNoise, OfAChannelIsNotEstimated) {
   }
   const auto both = read_data(text);
   const auto one = read_data(text, told({"T1=1N"}));
-  EXPECT_GT(noise_without_model(all_of(both))->deviation(8), 0.2);  // of a heavy-tailed t
+  EXPECT_GT(noise_without_model(all_of(both))->deviation(8), 0.2);
   const Dataset dataset = all_of(one);
   const Noise noise = *noise_without_model(dataset);
   EXPECT_NEAR(noise.deviation(8), 0.1, 0.02);

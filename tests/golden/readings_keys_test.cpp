@@ -82,10 +82,8 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
   EXPECT_EQ(keys(json["next_measurement"]), measurement_keys);
   EXPECT_EQ(keys(json["weighed"][0]), "name log_likelihood_gain held_out");
   EXPECT_EQ(keys(json["structure"][0]), "about rms statistic p_value");
-  EXPECT_EQ(
-      keys(json["noise"]),
-      "relative absolute_N source degrees_of_freedom tail_degrees_of_freedom within_mountings "
-      "of_group");
+  EXPECT_EQ(keys(json["noise"]),
+            "relative absolute_N source degrees_of_freedom within_mountings of_group");
   EXPECT_EQ(keys(json["mountings"]), "mounted_again given bounded sheath tube bearing gain");
   EXPECT_EQ(keys(json["coefficients"][0]),
             "name parameter value low high at_bound hardware p_value differs");

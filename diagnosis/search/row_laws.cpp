@@ -1,0 +1,97 @@
+#include "diagnosis/search/row_laws.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace reeve::diagnosis {
+namespace {
+
+using causes::CovariateKind;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+std::optional<double> recorded(const Covariate& covariate, const DatasetRow& row,
+                               const Reading& reading) {
+  switch (covariate.kind) {
+    case CovariateKind::motor:
+      return reading.motor_tension_N;
+    case CovariateKind::speed:
+      return reading.speed_mm_s;
+    case CovariateKind::cycle:
+      return reading.cycle;
+    case CovariateKind::temperature:
+      return reading.temperature_C;
+    default:
+      break;
+  }
+  for (const causes::NamedValue& column : row.conditions.record->columns) {
+    if (column.name == covariate.column) return column.value;
+  }
+  return std::nullopt;
+}
+
+// Nothing where too few rows record it.
+std::optional<RowCovariate> row_covariate(Covariate covariate, const Dataset& dataset) {
+  VectorXd by_row(static_cast<Index>(dataset.rows.size()));
+  std::vector<double> values;
+  std::vector<Index> missing;
+  for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
+    const DatasetRow& row = dataset.rows[r];
+    const auto x = recorded(covariate, row, dataset.data->readings[row.reading]);
+    if (x) {
+      values.push_back(*x);
+      by_row[static_cast<Index>(r)] = *x;
+    } else {
+      missing.push_back(static_cast<Index>(r));
+    }
+  }
+  std::sort(values.begin(), values.end());
+  if (values.size() < 3 || values.front() == values.back()) return std::nullopt;
+  covariate.middle = values[values.size() / 2];
+  covariate.seen = {values.front(), values.back()};
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  for (const Index r : missing) by_row[r] = covariate.middle;
+  const bool is_motor = covariate.kind == CovariateKind::motor;
+  return RowCovariate{std::move(covariate), std::move(by_row), std::move(values), is_motor, false};
+}
+
+}  // namespace
+
+std::vector<RowCovariate> row_covariates(const Dataset& dataset) {
+  std::vector<RowCovariate> result;
+  const auto add = [&](const Covariate& covariate, bool is_place = false) {
+    auto found = row_covariate(covariate, dataset);
+    if (!found) return;
+    found->is_place = is_place;
+    result.push_back(std::move(*found));
+  };
+  const auto column = [](const std::string& name) {
+    return Covariate{CovariateKind::column, name, {}, 0, {}, false};
+  };
+  for (const char* name : {"motor_tension_N", "speed_mm_s", "cycle", "temperature_C"}) {
+    add(causes::covariate_named(name));
+  }
+  for (const char* name : {"order", "run"}) add(column(name), true);
+  add(column("sheath_angle_rad"));
+  for (const std::string& name : dataset.data->covariates) add(column(name));
+  return result;
+}
+
+VectorXd value_by_row(const std::vector<RowCovariate>& covariates, const RowLaw& law, Index rows) {
+  if (law.form == Form::constant) return VectorXd::Constant(rows, law.values[0]);
+  Term term;
+  term.form = law.form;
+  term.x = covariates[law.x].covariate;
+  term.x.logarithmic = law.x_logarithmic;
+  term.y = covariates[law.y].covariate;
+  term.y.logarithmic = law.y_logarithmic;
+  VectorXd result(rows);
+  for (Index r = 0; r < rows; ++r) {
+    result[r] = causes::law_value(term, covariates[law.x].by_row[r], covariates[law.y].by_row[r],
+                                  law.values.data());
+  }
+  return result;
+}
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,42 @@
+// What rows record that differs from row to row, and the values that laws of it take.
+//
+// A covariate is known in every row: where a row lacks it, it stands at the middle of the others,
+// so that its straight laws say nothing there.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "causes/term.hpp"
+#include "diagnosis/dataset.hpp"
+
+namespace reeve::diagnosis {
+
+struct RowCovariate {
+  Covariate covariate;  // with the range that is seen, and its median as the middle
+  Eigen::VectorXd by_row;
+  std::vector<double> distinct;  // ascending
+  bool is_motor = false;
+  bool is_place = false;  // of the row in the file, or of its run among the others
+};
+
+// The columns of the grammar (causes/term.hpp) that three rows or more record, with two values or
+// more.
+std::vector<RowCovariate> row_covariates(const Dataset& dataset);
+
+// A law of recorded covariates, each named by its place among these.
+struct RowLaw {
+  Form form = Form::constant;
+  std::size_t x = 0;
+  std::size_t y = 0;              // of a product
+  std::vector<double> values{1};  // of the law's parameters
+  bool x_logarithmic = false;     // of a product
+  bool y_logarithmic = false;     // of a product
+};
+
+// The law's value in each row.
+Eigen::VectorXd value_by_row(const std::vector<RowCovariate>& covariates, const RowLaw& law,
+                             Eigen::Index rows);
+
+}  // namespace reeve::diagnosis
