@@ -82,21 +82,21 @@ TEST(TermSearch, FindsTheSiteTheCovariateAndTheSizeOfALaw) {
   EXPECT_LT(result.held_out->rms_after_N, result.held_out->rms_before_N);
 }
 
-// A sensor reads less where it is moist: the step is between two of 72 humidities.
-double as_moist(const Row& row, int strand) {
-  return strand == 2 && row.humidity_pct > 61.3 ? 0.7 : 1;
-}
-
+// A sensor reads less where it is moist. Each step is between two of 72 humidities.
 TEST(TermSearch, FindsTheValueAtWhichAStepIs) {
-  const DiagnosisResult result = diagnosed(readings(as_moist));
-  EXPECT_TRUE(result.apart.empty());
-  ASSERT_EQ(result.causes.size(), 1U);
-  const NamedCause& law = result.causes.front();
-  const Term* term = term_of(*law.effect.cause);
-  ASSERT_NE(term, nullptr);
-  EXPECT_EQ(term->form, causes::Form::step);
-  EXPECT_NEAR(law.effect.values[0], -0.3, 0.01);
-  EXPECT_NEAR(law.effect.values[1], 61.3, 1);
+  for (const double at : {47.0, 53.0, 61.3}) {
+    const DiagnosisResult result = diagnosed(readings([&](const Row& row, int strand) {
+      return strand == 2 && row.humidity_pct > at ? 0.7 : 1.0;
+    }));
+    EXPECT_TRUE(result.apart.empty());
+    ASSERT_EQ(result.causes.size(), 1U);
+    const NamedCause& law = result.causes.front();
+    const Term* term = term_of(*law.effect.cause);
+    ASSERT_NE(term, nullptr);
+    EXPECT_EQ(term->form, causes::Form::step);
+    EXPECT_NEAR(law.effect.values[0], -0.3, 0.01);
+    EXPECT_NEAR(law.effect.values[1], at, 1);
+  }
 }
 
 // A sheath passes its friction on to all strands. Far from small, so that what it does is far from
