@@ -21,6 +21,8 @@ PACKAGES_PYTHON_TEST=(python3-pytest python3-mypy python3-matplotlib python3-pip
   python3-setuptools python3-wheel python3-scipy python3-jsonschema)
 # For `mpirun reeve` and its tests; where they are not installed neither is built.
 PACKAGES_MPI=(libopenmpi-dev openmpi-bin)
+# For ./run package: CPack asks file which of its files are programs, and dpkg-shlibdeps what they need.
+PACKAGES_PACKAGE=(dpkg-dev file)
 PACKAGES_CI=(clang-format clang-tidy)
 # For scripts/fuzz.
 PACKAGES_FUZZ=(clang libclang-rt-14-dev)
