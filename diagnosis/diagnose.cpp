@@ -417,7 +417,7 @@ class Diagnosis {
     }
   }
 
-  // Of one cause, all others kept.
+  // The gain is of one cause, with all others kept.
   HeldOut gain_of(const NamedCause& cause, const Problem& unseen, const Forecast& after,
                   std::size_t c) {
     const bool is_sealed = !sample_.held_out.cells.empty();

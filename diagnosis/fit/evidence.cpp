@@ -29,7 +29,7 @@ double median_size(VectorXd values) {
   return values[middle];
 }
 
-// Of rows with several readings, which alone tell a motor tension's scatter from that of readings.
+// Only rows with several readings tell a motor tension's scatter from that of readings.
 bool tells_of_motor(const Dataset& dataset) {
   const auto tells = [](const DatasetRow& row) {
     return row.has_motor_tension && row.motor_deviation_N == 0 && row.last - row.first > 1;
@@ -89,9 +89,8 @@ bool is_fitted_in_all(const MountingScatter& mounting) {
   return true;
 }
 
-// No more than is believed of mountings.
-//
-// In units of s0, as all scatter: what somebody said, and what is assumed since no readings tell
+// A scatter is at most what is believed of mountings.
+// The scatter is in units of s0: what somebody said, and what is assumed since no readings tell
 // it, does not grow with s0.
 MountedScatter scatter_at(const ScatterShape& shape, const ScatterLevel& level, double scale) {
   const MountingScatter& mounting = shape.scatter.mounting;
@@ -118,7 +117,7 @@ double log_prior(const MountingScatter& mounting, const MountedScatter& scatter)
   return sum;
 }
 
-// Of set readings, whose rows have one each.
+// The rows of set readings have one reading each.
 void spread_motor(Problem& problem, const VectorXd& beyond) {
   for (std::size_t r = 0; r < problem.dataset->rows.size(); ++r) {
     const auto cell = static_cast<Index>(problem.dataset->rows[r].first);
@@ -209,7 +208,7 @@ std::optional<SetReadings> set_readings(const Dataset& dataset) {
 
 ScatterShape scatter_shape(const Dataset& dataset, const Model& reference,
                            std::optional<double> given, Workers& workers) {
-  // Of repeats, whose noise is known to some 10 %.
+  // The noise of repeats is known to some 10 %.
   constexpr double surely = 0.8;
   constexpr std::size_t few_mountings = 4;
   ScatterShape shape;
@@ -258,7 +257,7 @@ ScatterShape scatter_shape(const Dataset& dataset, const Model& reference,
 
 namespace {
 
-// Where s0 is about this.
+// The scale s0 is expected about `scale`.
 Likelihood seen_at(const Dataset& dataset, const ScatterShape& shape, const Forecast& at,
                    const ScatterLevel& level, double scale) {
   VectorXd deviation_N = deviations_if_near(dataset, shape.scatter.noise, at.reading_N);

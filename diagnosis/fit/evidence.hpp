@@ -48,7 +48,7 @@ struct SetReadings {
 // otherwise.
 std::optional<SetReadings> set_readings(const Dataset& dataset);
 
-// Of readings that a reference model leaves something of.
+// The readings must leave something beside the reference model.
 struct ScatterShape {
   Scatter scatter;
   MountingModes modes;
@@ -77,7 +77,7 @@ struct Likelihood {
 
 Likelihood likelihood(const Dataset& dataset, const ScatterShape& shape, const Forecast& at,
                       const ScatterLevel& level);
-// At the likeliest of the levels.
+// The likelihood is that at the likeliest of the levels.
 Likelihood likelihood(const Dataset& dataset, const ScatterShape& shape, const Forecast& at);
 
 // Sum of squares of residuals e in units of their noise, of which one beyond k = 3.5 counts as

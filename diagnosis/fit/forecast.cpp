@@ -139,7 +139,7 @@ class BlockForecast {
     return scale;
   }
 
-  // Of the tension at the tendons against that recorded of the motor.
+  // This is the slope of the tension at the tendons against that recorded of the motor.
   double arriving(const DatasetRow& row) const {
     constexpr double step_N = 1e-3;
     if (!reaches(model_, Reach::motor)) return 1;
@@ -151,7 +151,7 @@ class BlockForecast {
     return (tension(step_N) - tension(-step_N)) / (2 * step_N);
   }
 
-  // Of the row's readings against the motor tension, which changes friction.
+  // This is the slope of the row's readings against the motor tension, which changes friction.
   Eigen::VectorXd slope_by_load(const DatasetRow& row) {
     constexpr double share = 1e-3;
     const double step_N = share * std::max(row.conditions.motor_tension_N, share);

@@ -41,7 +41,7 @@ struct RunEquations {
 // are differences of forecasts, and what rounding leaves of them is no knowledge.
 constexpr double least_share = 1e-3;
 
-// In the order in which the data name the runs.
+// The runs stand in the order in which the data name them.
 std::vector<RunEquations> run_equations(const Problem& problem, const MatrixXd& jacobian,
                                         const VectorXd& residuals) {
   std::map<std::size_t, RunEquations> runs;

@@ -17,7 +17,7 @@ constexpr double surely = 0.999;
 // Of a group, so that its scatter is known to 18 %.
 constexpr double enough_of_group = 15;
 
-// Of the square of a residual in units of its scatter.
+// The square is that of a residual in units of its scatter.
 double surprise(double square) {
   constexpr double far = outlying * outlying;
   return square <= far ? square : far * (1 + std::log(square / far));

@@ -35,7 +35,7 @@ struct ScatterFit {
                                  // a group that few samples tell; empty: all alike
 };
 
-// Of all rows alike.
+// The scatter is alike in all rows.
 ScatterFit scatter_of_all(const Dataset& dataset, const std::vector<ScatterSample>& samples);
 
 // Groups are judged by `free` samples, of which the estimate leaves most: the others are

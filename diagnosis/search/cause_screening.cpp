@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// By the size, N; 0 where the model has no tensions beside it.
+// The slope by the size, in N; it is 0 where the model has no tensions beside it.
 VectorXd by_size(const Dataset& dataset, const Model& model, std::size_t effect,
                  const Parameter& parameter) {
   constexpr double small = 1e-4;

@@ -24,7 +24,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// In nats.
+// Prices are in nats.
 constexpr double price_of_law = 1;  // beside what the library has a name for
 constexpr double price_of_bend = 2;
 constexpr double price_of_product = 2;
@@ -92,7 +92,7 @@ class LawFamilies {
       if (result.size() >= most) break;
       if (!seen.insert({found.lever, found.kind}).second) continue;
       result.push_back(found.law);
-      // Beside what follows something, the same without it.
+      // A law that follows something is fitted beside the same law without it.
       const Found* constant = plain[found.lever];
       if (constant != nullptr && seen.insert({found.lever, constant_kind}).second) {
         result.push_back(constant->law);
@@ -179,7 +179,7 @@ class LawFamilies {
     return price_of_law + price_of_force + std::log(screening_.levers_of_breadth_[breadth]) +
            price_of_part * static_cast<double>(breadth);
   }
-  // Also that of the load.
+  // The load is a covariate, too.
   double price_of_covariate() const {
     return std::log(1.0 + static_cast<double>(screening_.covariates_.size()));
   }
@@ -305,7 +305,7 @@ class LawFamilies {
     if (!is_whole) return;
     screen_waves(l);
     for (std::size_t p = 0; p < products_.size(); ++p) {
-      // In proportion to the motor tension an offset is a gain, which has laws of its own.
+      // An offset in proportion to the motor tension is a gain, which has laws of its own.
       const bool with_motor =
           covariate(products_[p].x).is_motor || covariate(products_[p].y).is_motor;
       if (with_motor && lever.target == Target::offset) continue;
@@ -514,7 +514,7 @@ class LawFamilies {
     keep(l, made);
   }
 
-  // What one run or one group does by itself.
+  // Screens what one run or one group does by itself.
   void screen_parts(std::size_t l) {
     constexpr std::size_t few_runs = 4;
     if (runs_.size() >= few_runs) {

@@ -33,7 +33,7 @@ struct ScreenedLaw {
 
 class LawScreening {
  public:
-  // Of all readings; parts of them are screened by its levers, too.
+  // Takes all readings; parts of them are screened by its levers, too.
   LawScreening(const Dataset& dataset, const Model& model, const Forecast& at, Workers& workers);
 
   // The most likely first, at most so many, of different sites or covariates. The problem is of

@@ -35,7 +35,7 @@ struct Lever {
   Target target = Target::exponent;
   Site site;
   Breadth breadth = Breadth::whole;
-  // In the law's covariate is the load; otherwise the load is left to the row's law.
+  // The law's covariate is the load; otherwise the load is left to the row's law.
   bool by_load = false;
   bool logarithmic = false;  // ln(T_high / x0), not T_high - x0
   Covariate load{};

@@ -31,7 +31,7 @@ std::optional<double> recorded(const Covariate& covariate, const DatasetRow& row
   return std::nullopt;
 }
 
-// Nothing where too few rows record it.
+// Returns nothing where too few rows record it.
 std::optional<RowCovariate> row_covariate(Covariate covariate, const Dataset& dataset) {
   VectorXd by_row(static_cast<Index>(dataset.rows.size()));
   std::vector<double> values;

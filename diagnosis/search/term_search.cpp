@@ -28,7 +28,7 @@ struct Effort {
   std::size_t causes = 7;
   std::size_t faults = 3;  // that are there or not
   std::size_t laws = 6;
-  // Of a search that has been made on more readings: seen at the level of what it found, and
+  // A search on more readings has been made: readings are seen at the level of what it found, and
   // without weighing alternatives.
   std::optional<ScatterLevel> level{};
   // Whether what is there or not is tried beside the hardware's coefficients, too.
@@ -69,7 +69,7 @@ class Searching {
 
   void calibrate() {
     result_.base = nominal_;
-    // What readings weigh, and what fits them, in turn.
+    // The rounds fit what readings weigh, and then what fits them.
     for (int round = 0; round < 2; ++round) {
       reshape(result_.base);
       result_.base = calibrated(now_.likelihood.problem, nominal_, coefficients_, workers_);
@@ -170,7 +170,7 @@ class Searching {
     for (const AcceptedTerm& cause : terms) sum += cost(cause);
     return sum;
   }
-  // Of a model of these terms, as it fits.
+  // The evidence is that of a model of these terms, as it fits.
   double evidence_of(const Model& model, const std::vector<AcceptedTerm>& terms) const {
     const Fit fitted = fit(now_.likelihood.problem, model, Precision::to_compare);
     if (!has_tensions(fitted)) return -std::numeric_limits<double>::infinity();
@@ -181,7 +181,7 @@ class Searching {
     return cause.price + static_cast<double>(cause.parameters) * price_of_parameter();
   }
 
-  // At the likeliest level of scatter, or at this one.
+  // The model is scored at the likeliest level of scatter, or at this one.
   Scored scored(Model model, std::optional<ScatterLevel> level = {}) const {
     Scored result;
     const auto at = try_forecast(dataset_, model);
@@ -334,7 +334,7 @@ class Searching {
                      [](const Scored& a, const Scored& b) { return a.evidence > b.evidence; });
   }
 
-  // Those that could be the likeliest, or hardly less likely.
+  // Scores those again that could be the likeliest, or hardly less likely.
   void see_at_all_levels(std::vector<Scored>& ways, double before) const {
     constexpr std::size_t at_least = 4;
     constexpr double near = 0.2;
@@ -473,7 +473,7 @@ class Searching {
     const Scored less = without_cause(c);
     const AcceptedTerm own = result_.accepted[c];
     result_.accepted.erase(result_.accepted.begin() + static_cast<std::ptrdiff_t>(c));
-    // Seen with the scatter that is left, as its own place is.
+    // Rivals are seen with the scatter that is left, as the accepted term is.
     std::vector<Scored> ways = ways_on(less, {now_.likelihood}, result_.accepted.size());
     result_.accepted.insert(result_.accepted.begin() + static_cast<std::ptrdiff_t>(c), own);
     if (ways.empty()) return;
@@ -501,7 +501,7 @@ class Searching {
     accepted.probability = 1 / odds;
   }
 
-  // Of the forms of one law that are hardly less likely, the shortest. Returns its evidence.
+  // Takes the shortest of the forms of one law that are hardly less likely. Returns its evidence.
   double take_simplest(const std::vector<Scored>& ways, std::size_t c, double evidence) {
     const Effect own = result_.accepted[c].effect;
     const Scored* simplest = nullptr;

@@ -62,8 +62,9 @@ struct Explanation {
   // Parallel to these: causes of the library that, beside the hardware's own coefficient, explain
   // the readings hardly less than one that differs from it.
   std::vector<std::vector<Alternative>> instead;
-  // Of a search on some of the readings, parallel to what was accepted on all of them: whether all
-  // that together is as evident here as what was found here, and more evident with this one.
+  // Belongs to a search on some of the readings, parallel to what was accepted on all of them:
+  // whether all that together is as evident here as what was found here, and more evident with this
+  // one.
   std::vector<bool> holds;
   double best_refused = 0;  // evidence of the best that was not accepted
   std::size_t most_causes = 0;
@@ -79,12 +80,12 @@ struct Screened {
   LawScreening laws;
 };
 
-// Of readings that are too few to look for anything.
+// The explanation of readings that are too few to look for anything.
 Explanation nothing_explained(const Dataset& dataset, const Model& nominal,
                               const std::vector<Candidate>& candidates,
                               const TermSearchOptions& options, Workers& workers);
 
-// What was found but for one of the accepted causes, with the scatter that is likeliest then.
+// The explanation without one of the accepted causes, with the scatter that is likeliest then.
 Explanation without_term(const Dataset& dataset, const Explanation& found, std::size_t cause,
                          const TermSearchOptions& options, Workers& workers);
 
@@ -94,7 +95,7 @@ class TermSearch {
   TermSearch(const Dataset& dataset, const Model& nominal, const std::vector<Candidate>& candidates,
              const TermSearchOptions& options, Workers& workers);
 
-  // Nothing if it was stopped; `stop` is called with the name of each stage.
+  // Returns nothing if it was stopped; `stop` is called with the name of each stage.
   std::optional<Explanation> run(const std::function<bool(const char*)>& stop);
 
   // The same search on some of the runs, by the columns that `run` has made. Any thread may.

@@ -22,25 +22,25 @@ inline constexpr std::size_t most_folds = 5;
 struct Fold {
   Dataset unseen;
   Explanation found;
-  // Of its own readings.
+  // The forecasts are of its own readings.
   Forecast nominal;
   Forecast base;
   Forecast forecast;
 };
 
-// One number for each run of the data: the fold that it is in. Of runs of these readings.
+// Returns for each run of the data the fold that it is in. Only runs of these readings are dealt.
 std::vector<std::size_t> dealt_runs(const MeasuredData& data,
                                     const std::vector<std::size_t>& readings, std::size_t folds);
 
-// None of fewer than two runs. Nothing if it was stopped.
+// Fewer than two runs give no folds. Returns nothing if it was stopped.
 std::optional<std::vector<Fold>> cross_validated(const MeasuredData& data,
                                                  const std::vector<std::size_t>& readings,
                                                  const Model& nominal, const TermSearch& search,
                                                  Workers& workers,
                                                  const std::function<bool()>& stop);
 
-// Of the folds, in how many the cause that was accepted in this place holds: they find it or one of
-// its alternatives, or it is as evident there as what they find.
+// The share of the folds in which the cause that was accepted in this place holds: they find it or
+// one of its alternatives, or it is as evident there as what they find.
 double share_of_folds(const std::vector<Fold>& folds, const AcceptedTerm& cause, std::size_t place);
 
 // Forecasts of all readings, each by its fold.

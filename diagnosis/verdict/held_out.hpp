@@ -63,7 +63,7 @@ struct RunGain {
   double rms_noise_N = 0;  // of the residuals that are noise alone
 };
 
-// In the order in which the data name the runs.
+// The runs stand in the order in which the data name them.
 std::vector<RunGain> run_gains(const Problem& held_out, const Forecast& before,
                                const Forecast& after);
 

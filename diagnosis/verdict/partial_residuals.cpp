@@ -19,12 +19,12 @@ using Eigen::VectorXd;
 
 constexpr double covered_by_band = 0.95;
 constexpr std::size_t curve_points = 41;
-// Times the middle deviation.
+// The limit is in units of the middle deviation.
 constexpr double most_deviation = 6;
 constexpr std::size_t most_points = 500;
 constexpr std::uint32_t thinning_stream = 0x9a7;
-// Of the range of a size, or of a law's own unit: small beside what bends forecasts, and great
-// beside what rounding leaves of a difference.
+// The step is a part of the range of a size, or of a law's own unit: small beside what bends
+// forecasts, and great beside what rounding leaves of a difference.
 constexpr double small_step = 1e-4;
 
 // One part of the readings, as the extended model sees it.
@@ -49,7 +49,7 @@ Model with_size(Model model, std::size_t effect, double step) {
   return model;
 }
 
-// Ones of a term without size: what it does is asked for in newton.
+// A term without size gives ones: what it does is asked for in newton.
 std::optional<VectorXd> slope_of(const Dataset& dataset, const Model& model, std::size_t effect,
                                  const TermAxes& axes) {
   if (axes.over == DrawnOver::change) {
@@ -114,7 +114,7 @@ std::vector<PointCells> cells_of_points(const TermAxes& axes, const Dataset& dat
   return result;
 }
 
-// Nothing where these cells do not depend on the term.
+// Returns nothing where these cells do not depend on the term.
 std::optional<PartialPoint> point(const PartView& part, const TermAxes& axes, const Effect& effect,
                                   const PointCells& of) {
   const PlaceOnAxes place =
@@ -166,7 +166,7 @@ void leave_out_faint(PartialResiduals& partial) {
       partial.points, [&](const PartialPoint& point) { return point.deviation > most; });
 }
 
-// The same places for the same number, whatever the readings: strides would meet one sensor only.
+// The same number of points always gives the same places: strides would meet one sensor only.
 void thin_out(PartialResiduals& partial) {
   std::vector<PartialPoint>& points = partial.points;
   if (points.size() <= most_points) return;
@@ -198,7 +198,7 @@ double half_width(const TermAxes& axes, const std::vector<double>& values,
   return spread.t * std::sqrt(std::max(0.0, gradient.dot(spread.covariance * gradient)));
 }
 
-// Of a term without size: of the slope that the points have by themselves, which should be 1.
+// For a term without size the slope is that of the points themselves, which should be 1.
 double half_width_of_slope(const std::vector<PartialPoint>& points, double x) {
   double square = 0;
   double left = 0;
@@ -218,7 +218,7 @@ std::vector<CurvePoint> curve(const TermAxes& axes, const Effect& effect,
   const auto [least, greatest] =
       std::minmax_element(points.begin(), points.end(),
                           [](const PartialPoint& a, const PartialPoint& b) { return a.x < b.x; });
-  // Of points that all stand at one place, a short piece of it.
+  // Points that all stand at one place get a short piece of curve.
   constexpr double short_piece = 0.05;
   const double beyond = least->x == greatest->x ? short_piece * std::abs(least->x) : 0;
   const double low = least->x - beyond;

@@ -67,7 +67,7 @@ std::vector<EffectSpread> effect_spreads(
     const Problem& problem, const Model& model,
     const std::vector<std::vector<ParameterInterval>>& intervals);
 
-// Of the effect at this place of the model. Nothing where no reading says anything of it.
+// The effect is named by its place in the model. Returns nothing where no reading tells of it.
 std::optional<PartialResiduals> partial_residuals(const Sample& sample, const Model& model,
                                                   const Scatter& scatter, std::size_t effect,
                                                   const EffectSpread& spread, Workers& workers);

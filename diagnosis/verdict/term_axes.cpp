@@ -202,7 +202,7 @@ Conditions conditions_at(const Covariate& covariate, double x) {
   return conditions;
 }
 
-// By what the cause makes of an exponent of 1.
+// The cause is classed by what it makes of an exponent of 1.
 std::function<double(const std::vector<double>&, double)> exponent_law(const Effect& effect,
                                                                        const Covariate& covariate) {
   return [effect, covariate](const std::vector<double>& values, double x) {

@@ -87,13 +87,13 @@ Model with_law(Model model, const Term& term, double size) {
 
 double noise_N(std::size_t i) { return 0.05 * std::sin(1.7 * static_cast<double>(i)); }
 
-// Of a gain S is the tension: y = slope (x − x0) + noise / T.
+// For a gain S is the tension: y = slope (x − x0) + noise / T.
 TEST(PartialResiduals, OfAGainAreItsLawPlusNoiseOverTheTension) {
   std::size_t i = 0;
   const MeasuredData data = humid_data([&](double motor_N, double humidity) {
     return motor_N * (1 + slope * (humidity - middle)) + noise_N(i++);
   });
-  // Also where the fit is off: what a reading says does not depend on it.
+  // This holds where the fit is off, too: what a reading says does not depend on it.
   for (const double fitted : {slope, 0.9 * slope}) {
     const PartialResiduals partial =
         seen(data, with_law(bench_model(), humidity_law(Target::gain, sensor_at_T1()), fitted));

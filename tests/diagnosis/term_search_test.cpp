@@ -152,7 +152,7 @@ const Lever* lever_of(const std::vector<Lever>& levers, causes::Target target,
   return nullptr;
 }
 
-// Of T2 = T1 e^{-phi} - F, and so on, by hand.
+// The reference solves T2 = T1 e^{-phi} - F, and so on, by hand.
 TEST(Levers, AreTheDerivativesOfTheEquations) {
   const MeasuredData data = read_data(
       "run,routing,held,motor_tension_N,T1_N,T2_N,T3_N,T4_N\n"
