@@ -82,7 +82,7 @@ void write(const CompareReport& report, const Arguments& arguments);
 std::string model_toml(const DiagnosisReport& report, const Arguments& arguments);
 std::string hardware_toml(const SizingReport& report, const Arguments& arguments);
 
-// None of a subcommand that there is not.
+// Returns no options for an unknown subcommand.
 std::vector<OptionText> option_texts(const std::string& subcommand);
 
 }  // namespace reeve::cli::api

@@ -28,7 +28,7 @@ namespace reeve::cli {
 Routing read_routing(const std::string& text, const Catalogue& catalogue);
 // The same, and every tendon must hang on the motor.
 Routing read_actuated_routing(const std::string& text, const Catalogue& catalogue);
-// What --like and --fingers name: the routing of that name for so many fingers. Throws InputError.
+// Returns the routing that --like and --fingers name, for so many fingers. Throws InputError.
 Routing read_like(const std::string& name, int fingers, const Catalogue& catalogue);
 
 // Routings to compare, each once, whichever way its word is walked.
@@ -128,7 +128,7 @@ struct OutOption {
 // --hardware or --model; the paper's hardware and no effect if neither is given.
 struct ModelOption {
   void add_to(CLI::App& command);
-  // The same, and the options of a quick question.
+  // Adds the same options and those of a quick question.
   void add_with_friction_to(CLI::App& command);
   bool is_given() const { return option_->count() > 0 || hardware_.is_given(); }
   const FrictionFlags& friction() const { return friction_; }
@@ -176,8 +176,8 @@ struct GeneratorFlags {
   bool distinct = false;
 
   void add_to(CLI::App& command, bool with_tendons);
-  // `tells_apart`: the fingers, whatever the options say. Throws InputError, also where there are
-  // too many routings to count.
+  // `tells_apart` tells the fingers apart, whatever the options say. Throws InputError, also if
+  // there are too many routings to count.
   AskedParts read(bool tells_apart = false) const;
 
  private:
@@ -211,7 +211,8 @@ struct RankingFlags {
   CLI::Option* score_given_ = nullptr;
 };
 
-// What the hardware file says is to be varied, and kept equal. Throws InputError.
+// Reads the variables that the hardware file varies, and those that it keeps equal. Throws
+// InputError.
 void read_vary(const VaryTable& table, SizingOptions& options);
 
 }  // namespace reeve::cli

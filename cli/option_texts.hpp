@@ -9,7 +9,7 @@
 
 namespace reeve::cli {
 
-// As `reeve SUBCOMMAND --help` has them.
+// The texts of an option are those of `reeve SUBCOMMAND --help`.
 struct OptionText {
   std::string name;  // "fingers"; of a positional "routing"
   std::string preset;
@@ -26,7 +26,7 @@ struct SubcommandText {
   std::vector<OptionText> options;
 };
 
-// In the order of the program's help, without --help.
+// Returns the subcommands in the order of the program's help, without --help.
 std::vector<SubcommandText> subcommand_texts();
 
 }  // namespace reeve::cli

@@ -12,9 +12,8 @@
 
 namespace reeve::cli {
 
-// What --distributions of `rank` asks for.
-// "0.18,0.09,model": coefficients of tubes and sheaths alike, and the model as it is. Throws
-// InputError.
+// Reads --distributions of `rank`, such as "0.18,0.09,model": coefficients of tubes and sheaths
+// alike, and the model as it is. Throws InputError.
 std::vector<FrictionCase> read_friction_cases(const std::string& text, const Model& model);
 
 struct AskedRoutings {

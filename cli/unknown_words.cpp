@@ -65,7 +65,7 @@ std::vector<std::string> subcommand_names(const CLI::App& program) {
   return names;
 }
 
-// "fingerz" of "--fingerz=3"; nothing of a value, such as "-1".
+// Returns "fingerz" for "--fingerz=3", and nothing for a value, such as "-1".
 std::optional<std::string> option_name(const std::string& word) {
   if (!word.starts_with('-')) return std::nullopt;
   const std::size_t begin = word.find_first_not_of('-');
@@ -90,7 +90,7 @@ std::vector<Suggestion> suggestions(const CLI::App& command,
   return found;
 }
 
-// One needs no word of what it stands for.
+// A single suggestion does not repeat the typed word.
 std::string question(const std::vector<Suggestion>& found) {
   if (found.empty()) return "";
   if (found.size() == 1) return fmt::format("; did you mean {}?", found.front().known);

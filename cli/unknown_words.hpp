@@ -1,4 +1,4 @@
-// What is said of the words of a command line that are no option, subcommand or value.
+// Messages name the words of a command line that are no option, subcommand or value.
 #pragma once
 
 #include <CLI/CLI.hpp>

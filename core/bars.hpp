@@ -7,8 +7,9 @@
 
 namespace reeve::core {
 
-// Returns the same routing with an even bar in place of each block, numbered alike. Nothing if the
-// routing has bars already, or no block, or a block that one tendon does not pass exactly once.
+// Returns the same routing with an even bar in place of each block, numbered alike. Returns nothing
+// if the routing has bars already, or no block, or a block that one tendon does not pass exactly
+// once.
 std::optional<Routing> with_bars(const Routing& routing);
 
 }  // namespace reeve::core

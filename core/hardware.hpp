@@ -148,8 +148,8 @@ std::string hardware_place(const Hardware& hardware, std::string key);
 // e^{-phi} along a whole tendon stays a number.
 inline constexpr double max_exponent = 10;
 
-// Whether fingers 1 … n have the same parts, of their own or by default. A contact of its own is of
-// one finger, and scattered contacts all are.
+// True if fingers 1 … n have the same parts, of their own or by default. Fingers are not alike if a
+// contact has values of its own, or if contacts are drawn with scatter.
 bool treats_fingers_alike(const Hardware& hardware, int fingers);
 
 // The first quantity out of its range, with its value and what was expected; nothing if the

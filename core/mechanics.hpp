@@ -37,8 +37,8 @@ class MechanicsBuilder {
   // Of the tendon's k-th contact, whatever sets it.
   ContactLaw law_at(const Network& network, const TendonSpan& tendon, std::size_t k) const;
 
-  // σ of each contact's own exponent (ContactScatter); 0 of a contact whose coefficient is given.
-  // Keeps the memory of `deviations`.
+  // Writes σ of each contact's own exponent (ContactScatter), 0 for a contact whose coefficient is
+  // given. Keeps the memory of `deviations`.
   void deviations(const Network& network, std::vector<double>& deviations) const;
 
   // Contact overrides that name no contact of this network; as the user wrote them.
@@ -65,7 +65,7 @@ class MechanicsBuilder {
   void apply_overrides(const Network& network, Mechanics& mechanics) const;
   void apply_scatter(const Network& network, Mechanics& mechanics) const;
   double deviation(const Network& network, const TendonSpan& tendon, std::size_t k) const;
-  // Whether the file says a coefficient of this contact alone, or of those of its finger.
+  // True if the file gives a coefficient for this contact alone, or for its finger.
   bool has_own_mu(const Network& network, const TendonSpan& tendon, std::size_t k) const;
   void close_by_excursions(Mechanics& mechanics) const;
   // Returns the place of an error about the contact between two segments.

@@ -76,7 +76,7 @@ class Descent {
     return true;
   }
 
-  // By what a step to here changed.
+  // Corrects the Jacobian by what changed in the step to this point.
   void correct(const std::vector<double>& before, const VectorXd& residuals_before) {
     VectorXd moved(jacobian_.cols());
     VectorXd along(jacobian_.cols());

@@ -36,8 +36,8 @@ struct LeastSquares {
 
 enum class Precision : std::uint8_t { full, to_compare };
 
-// From a starting point in the box; its value is infinite if there are no residuals there. To
-// compare, it ends where a step lowers the sum by less than a ten thousandth.
+// Minimises from a starting point in the box; the value is infinite if there are no residuals
+// there. The search to compare ends where a step lowers the sum by less than a ten thousandth.
 LeastSquares least_squares(const Residuals& residuals, const std::vector<Interval>& box,
                            const std::vector<double>& start, Precision precision = Precision::full);
 

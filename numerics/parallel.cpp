@@ -87,8 +87,8 @@ struct Workers::Arena {
       : limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count)),
         arena(count),
         threads(static_cast<std::size_t>(count)) {
-    // At once, since the library waits for ever where it is asked again after this has failed for
-    // want of memory.
+    // The arena starts at once: the library waits for ever if it is asked again after this has
+    // failed for want of memory.
     arena.initialize();
   }
 

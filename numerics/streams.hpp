@@ -31,7 +31,7 @@ inline constexpr std::uint32_t sizing_starts = 0x51ce0000;
 // Where searches for the worst of several tolerances start: likewise.
 inline constexpr std::uint32_t tolerance_corners = 0x51cf0000;
 
-// Of drawn hardware, one for each contact of a network.
+// The streams of drawn hardware are one for each contact of a network.
 inline constexpr std::uint32_t contact_scatter = 0x51d00000;
 
 // Seeds for the replicates of each step of a search, and for those of what it leaves. Prime steps:

@@ -23,7 +23,7 @@ PageFiles ranking_page(const RankReport& report, const std::string& command);
 // The report has details.
 PageFiles sizing_page(const SizingReport& report, const std::string& command);
 
-// By family, each with a drawing.
+// Lists the mechanisms by family, each with a drawing.
 PageFiles catalogue_page(const std::vector<ListedMechanism>& list, const std::string& command);
 
 }  // namespace reeve::pages

@@ -1,4 +1,4 @@
-// What a result takes for granted, for the first screen of terminal and page.
+// Names the assumptions of a result, for the first screen of terminal and page.
 #pragma once
 
 #include <string>

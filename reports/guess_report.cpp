@@ -63,7 +63,7 @@ std::string sample_cell(double value) {
   return std::isnan(value) ? "-" : fmt::format("{:.6g}", value);
 }
 
-// In reeve's units, as far as the log could be read.
+// The rows are in reeve's units, as far as the log could be read.
 Section rows_section(const LoggedSeries& series) {
   const std::vector<const LoggedSignal*> signals = signals_of(series);
   Table table{{number_column("time_s")}, {}};

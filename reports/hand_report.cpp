@@ -112,7 +112,7 @@ void add_motion_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
 void add_stroke_line(const ShownHand& hand, std::vector<DocumentLine>& lines) {
   const std::optional<double>& limit = hand.motor.stroke_mm;
   const MotorDemand& demand = hand.demand;
-  // That there is no stroke is said already.
+  // An earlier line says already that there is no stroke.
   if (!limit || !demand.can_move()) return;
   const bool enough = demand.stroke_mm <= *limit;
   const char* where_enough = demand.closure < 1 ? "enough for as far as the hand closes" : "enough";

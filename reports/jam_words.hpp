@@ -1,4 +1,4 @@
-// Where a routing jams, of all grasps, in words and JSON.
+// Tells in which of all grasps a routing jams, in words and JSON.
 #pragma once
 
 #include <string>

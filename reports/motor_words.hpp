@@ -1,4 +1,4 @@
-// What a motor must pull with, and whether one does, in the same words wherever it is told.
+// Tells the force that a motor must have, and whether it does, in the same words everywhere.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,11 @@
 namespace reeve::reports {
 
 // "Motor force: 65.8 N nominal, 84.2 N in 95 % of 1000 draws; by the latter the motor's 80 N is not
-// enough, 105.3 % of it would be needed". Nothing of nothing.
+// enough, 105.3 % of it would be needed". Returns no lines without a force.
 std::vector<DocumentLine> motor_lines(const std::optional<MotorForce>& force,
                                       const MotorParts& motor);
 
-// That the motor's stroke is too short, if it is.
+// Says that the motor's stroke is too short, if it is.
 std::vector<DocumentLine> stroke_lines(const ObjectiveValues& values, const MotorParts& motor);
 
 Json motor_force_json(const std::optional<MotorForce>& force, const MotorParts& motor);

@@ -18,7 +18,7 @@ namespace {
 // Worse than any goal, and still a number for who compares.
 constexpr double worst_loss = 1e9;
 
-// With the greatest friction that is drawn.
+// Returns the corner of the box with the greatest friction that is drawn.
 std::vector<double> upper_corner(const SizingOptions& options) {
   std::vector<double> highest;
   for (const Interval& interval : coefficient_box(options.nominal.hardware, options.ranges)) {

@@ -1,9 +1,9 @@
 // A routing's goal as a function of its variables, under coefficients that are not known well.
 //
-// Robust, the goal is that of the bad side: its 5 % quantile over draws of the coefficients (95 %
-// where lower is better), the same draws at every point, so that points are compared on equal
-// terms. A draw is that of uncertainty.hpp. Searched is with few draws; what is told of a point is
-// over as many as everywhere (told_draws).
+// A robust goal is that of the bad side: its 5 % quantile over draws of the coefficients (95 %
+// where lower is better). The draws are the same at every point, so that points are compared on
+// equal terms. A draw is that of uncertainty.hpp. The search uses few draws, and the results use as
+// many as everywhere (told_draws).
 #pragma once
 
 #include <Eigen/Core>
@@ -58,7 +58,7 @@ struct SizingOptions {
   GraspSet grasps;  // that are asked: of objectives and motor force
   Score score = authors_score();
   Goal goal;
-  // Of a target, if others than those.
+  // The grasps of a target, if they are others than those.
   std::optional<GraspSet> target_grasps = std::nullopt;
   std::vector<VariedRange> varied;
   std::vector<SameGroup> same;
@@ -72,12 +72,13 @@ struct SizingOptions {
 
 inline constexpr double robust_quantile = 0.05;
 
-// In which the goal is judged.
+// Returns the grasps in which the goal is judged.
 inline const GraspSet& goal_grasps(const SizingOptions& options) {
   return options.target_grasps ? *options.target_grasps : options.grasps;
 }
 
-// Of a result, so that its motor force is that of the other subcommands (motor_force.hpp).
+// Returns the number of draws of a result; its motor force is then that of the other subcommands
+// (motor_force.hpp).
 inline std::size_t told_draws(const SizingOptions& options) {
   return std::max(options.draws, motor_draws);
 }
@@ -93,9 +94,9 @@ class SizingProblem {
   const std::vector<Interval>& box() const { return box_; }
   SizingPoint nearest_to_nominal() const;
 
-  // What is searched for. Throws OutOfRange.
+  // Returns the goal that the search improves. Throws OutOfRange.
   double goal(const SizingPoint& point) const { return goal_of(values(point), draws_); }
-  // The same over the draws that are told; without a point, of the hardware as it is.
+  // Returns the goal over the draws of a result; without a point, that of the hardware as it is.
   double told_goal() const { return goal_of(nominal_, told_draws_); }
   double told_goal(const SizingPoint& point) const { return goal_of(values(point), told_draws_); }
   // At the nominal coefficients.
@@ -121,7 +122,7 @@ class SizingProblem {
 
   Values values(const SizingPoint& point) const;
   Model model_of(const Values& values) const;
-  // The quantile over so many draws; 0: at the nominal coefficients.
+  // Returns the quantile over so many draws; with 0, the goal at the nominal coefficients.
   double goal_of(const Values& values, std::size_t draws) const;
   double guarded_loss(const SizingPoint& point, std::size_t draws) const;
   Model upper_end(const Values& values) const;

@@ -25,8 +25,8 @@ struct ListedMechanism {
   std::size_t agree = 0;    // of these
 };
 
-// Of one family, or of one number of fingers, where they are given: paper first, then families by
-// name. `files` are those that the catalogue was read from.
+// Lists the mechanisms of one family, or of one number of fingers, if they are given: paper first,
+// then families by name. `files` are those that the catalogue was read from.
 std::vector<ListedMechanism> catalogue_list(const Catalogue& catalogue, const CatalogueFiles& files,
                                             const std::optional<std::string>& family,
                                             const std::optional<int>& fingers);

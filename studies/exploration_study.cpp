@@ -72,7 +72,7 @@ ExploreReport with_distributions(const ExploreOptions& options, ExploreResult re
   return report;
 }
 
-// Of one finger fewer the drawing would not jam.
+// The drawing shows a smallest grasp that jams: with one held finger fewer it would not jam.
 std::optional<ShownRouting> jammed_first(const ExploreReport& report, const Catalogue& catalogue) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
   if (listed.empty() || listed.front().smallest_jams.empty()) return std::nullopt;

@@ -43,7 +43,7 @@ struct ExploreReport {
 // The longer of top and front: both are the beginning of one ranking.
 const std::vector<ListedDesign>& listed_designs(const ExploreReport& report);
 
-// How many different sets of values of the objectives the front has; variants share theirs.
+// Counts the different sets of values of the objectives on the front; variants share theirs.
 std::size_t distinct_on_front(const ExploreReport& report);
 
 // The catalogue's routings with as many fingers as the options ask for, as the generator writes
@@ -86,7 +86,7 @@ std::vector<ListedDesign> designs_to_sweep(const ExploreReport& report);
 void add_sweep(ExploreReport& report, const SweepOptions& options,
                const StudySupervision& supervision);
 
-// Of the first design; none if the exploration was stopped.
+// Adds the motor force of the first design, and none if the exploration was stopped.
 void add_motor(ExploreReport& report, const UncertaintyOptions& drawn);
 
 // Keeps an exploration in a store while it runs. Goes on where the store ends; saves when so long

@@ -1,5 +1,5 @@
-// What `import` would make of a logger's file of unknown columns: a mapping that is guessed, the
-// log as it would be read by it, and all that is missing.
+// Proposes what `import` would make of a logger's file of unknown columns. The report has a guessed
+// mapping, the log as it would be read by it, and all that is missing.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ struct GuessReport {
   std::optional<LoggedSeries> series;  // none if the log cannot be read by that mapping
   std::vector<InputFault> faults;      // why not, or what is wrong with the labels
   ImportLabels given;
-  // What the log does not say, and nobody does.
+  // These members are true for what neither the log nor the user says.
   bool lacks_routing = false;
   bool lacks_run = false;
   bool lacks_held = false;

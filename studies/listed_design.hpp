@@ -33,7 +33,7 @@ struct ListedDesign {
   std::size_t place = 0;  // its rank, but that designs that are equal share the first of theirs
   // Share of the draws in which it meets all constraints: only where there are both.
   std::optional<double> constraints_met = std::nullopt;
-  // Over the draws, what orders designs within a front: only where uncertainty was asked for.
+  // The band of what orders designs within a front; only if uncertainty was asked for.
   std::optional<Band> decisive = std::nullopt;
   // The smallest sets of held fingers with which it jams (core/tension/jamming.hpp).
   std::vector<Grasp> smallest_jams = {};
@@ -82,8 +82,9 @@ struct RobustFirst {
   bool over_draws = false;
 };
 
-// Of a ranking. Nothing of nothing, and of the score without draws. Designs that are alike at the
-// nominal coefficients need not be so where contacts are not, so all of them are looked at.
+// Returns the nominal and the robust best of a ranking. Returns nothing without designs, and
+// nothing for the score without draws. Designs that are alike at the nominal coefficients need not
+// be so where contacts are not, so all of them are looked at.
 std::optional<RobustFirst> robust_first(const std::vector<ListedDesign>& designs,
                                         const Order& order);
 
@@ -92,7 +93,7 @@ ListedLadder list_ladder(const Ladder& ladder, const std::vector<ListedDesign>& 
                          const Order& order, const Model& model,
                          const std::optional<PartPrices>& prices, const Catalogue& catalogue);
 
-// What a ladder of designs was evaluated by.
+// The settings by which a ladder of designs was evaluated.
 struct EvaluatedBy {
   const Model& model;
   const GraspSet& grasps;

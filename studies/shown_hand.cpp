@@ -50,7 +50,7 @@ void add_greatest_force(const Hand& hand, const std::vector<ShownHandGrasp>& gra
     demand.weakest = shown.weakest;
     demand.grasp = shown.grasp;
   }
-  // As the objective motor_force, so that both are the same number.
+  // The force is rounded as the objective motor_force, so that both are the same number.
   demand.force_N = on_grid(demand.force_N);
   demand.joint = asking_joint(hand.finger(demand.weakest));
 }

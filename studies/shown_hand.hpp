@@ -1,4 +1,4 @@
-// What one routing makes of a hand: forces at the fingertips, and what they ask of the motor.
+// Computes the forces at the fingertips that one routing gives a hand, and the demand on the motor.
 //
 //   motor force F     least motor tension at which every finger presses with its wanted force in
 //                     every grasp (core/hand.hpp), at the nominal coefficients

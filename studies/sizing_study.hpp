@@ -32,8 +32,8 @@ struct SizedRouting {
   std::size_t rank_after = 0;
 };
 
-// Of the best design, for a page: the hand that it makes, before and sized, and how the goal goes
-// about it. Shown in the grasps that are asked.
+// The details of the best design are for a page: the hand that it makes, before and sized, and the
+// goal along each variable. They are shown in the grasps that are asked.
 struct SizingDetails {
   ShownRouting before;
   ShownRouting sized;

@@ -82,7 +82,7 @@ class Screening {
   }
 
  private:
-  // Nothing if a constraint rejects it, or if it cannot be told.
+  // Returns nothing if a constraint rejects the routing, or if it cannot be judged.
   std::optional<TargetCandidate> judged(const Routing& routing) {
     try {
       const ObjectiveValues values = evaluator_.evaluate(routing, scope());

@@ -1,4 +1,4 @@
-// Which designs can give the fingers a wanted ratio of pulls, and by what.
+// Finds the designs that can give the fingers a wanted ratio of pulls, and says by what.
 //
 //   by statics    without friction the pulls are in that ratio: forks of tendons, blocks and bars
 //                 set it, and friction only disturbs it
@@ -28,7 +28,7 @@
 
 namespace reeve::studies {
 
-// Of these the sizing says how near they can come.
+// The number of best routings that are sized, to say how near they can come.
 inline constexpr std::size_t most_targeted = 20;
 inline constexpr std::array<double, 2> friction_factors{0.5, 1.5};
 
@@ -50,7 +50,7 @@ struct TargetReport {
   bool partial = false;
 };
 
-// Whether there is a target that no design meets.
+// True if there is a target that no design meets.
 bool misses_target(const std::optional<TargetReport>& report);
 
 // All friction coefficients times a factor, effects of a model on the hardware among them.

@@ -156,7 +156,7 @@ std::vector<FoundInterval> intervals_of(const Planted& planted, const DiagnosisR
   return intervals;
 }
 
-// The gain is over all readings, as folds leave out each of them once.
+// Computes the possible gain over all readings, as folds leave out each of them once.
 double possible_gain(const Planted& planted, const MeasuredData& data,
                      const DiagnosisResult& result) {
   std::map<std::pair<std::size_t, std::string>, const testing::PlantedCell*> cells;

@@ -215,8 +215,8 @@ void read_refuted(const TomlNode& refuted, const NumberNodes& nodes, const RigTa
   if (const TomlNode* rig = nodes.find("met_by")) number.met_by = rigs.find(rig, nullptr);
 }
 
-// At most one of the four; the number's own comes before that of the set. A number that gave a
-// coefficient of an expression is used, and has the expression as well.
+// Reads at most one of the four statuses; that of the number comes before that of its set. A number
+// that gave a coefficient of an expression is used, and has the expression as well.
 void read_standing(const NumberNodes& nodes, const RigTables& rigs, PublishedNumber& number) {
   for (const TomlNode* from : {&nodes.number, &nodes.set}) {
     const TomlNode* used = from->find("used");

@@ -11,7 +11,7 @@ namespace reeve::catalog {
 NamedValues named_values(const MechanismRig& rig, const Network& network, const TensionState& state,
                          Direction direction);
 
-// Solved with this rig, in the number's grasp and direction.
+// Returns the values solved with this rig, in the number's grasp and direction.
 NamedValues solved_values(const PublishedNumber& number, const MechanismRig& rig);
 
 }  // namespace reeve::catalog

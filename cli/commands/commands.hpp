@@ -31,8 +31,8 @@ void add_size(CLI::App& program, int& exit_code);
 void add_merge(CLI::App& program, int& exit_code);
 void add_export(CLI::App& program, int& exit_code);
 
-// All of them, in the order of the help: what the shell, Python, the man page and the completion
-// have.
+// Adds all subcommands in the order of the help, for the shell, Python, the man page and the
+// completion.
 void add_subcommands(CLI::App& program, int& exit_code);
 
 }  // namespace reeve::cli

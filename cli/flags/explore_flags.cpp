@@ -38,7 +38,7 @@ void require_possible_contacts(const Hardware& hardware, const GeneratorOptions&
                                 "that are explored"});
 }
 
-// Of the sheaths, where the hardware file says nothing: half to twice of their bend.
+// The bends of the sheaths are varied if the hardware file varies nothing: half to twice.
 std::vector<VariedRange> usual_ranges(const Hardware& hardware) {
   const double angle = hardware.sheath.angle_rad;
   if (angle == 0) return {};

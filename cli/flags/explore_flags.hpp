@@ -47,7 +47,7 @@ struct ExploreFlags {
   // Throws InputError that names the option.
   ExploreOptions read(const Model& model, const Catalogue& catalogue) const;
   UncertaintyOptions read_uncertainty(const ModelFile& file, const ExploreOptions& options) const;
-  // Nothing without --target.
+  // Returns nothing without --target.
   std::optional<SizingOptions> read_target(const ModelFile& file,
                                            const ExploreOptions& options) const;
 

@@ -20,8 +20,8 @@ class FrictionFlags {
   bool is_given() const;
   // A model says itself how large friction is.
   void exclude(CLI::Option& model);
-  // What the hardware says of one finger or contact stays. Throws InputError that names the
-  // options.
+  // Keeps the coefficients that the hardware has for one finger or contact. Throws InputError that
+  // names the options.
   void apply(Hardware& hardware) const;
 
  private:

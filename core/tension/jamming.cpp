@@ -34,12 +34,12 @@ bool comes_first(std::uint64_t a, std::uint64_t b) {
   const int a_size = std::popcount(a);
   const int b_size = std::popcount(b);
   if (a_size != b_size) return a_size < b_size;
-  // Of as many fingers the lower numbers come first.
+  // Among sets with equally many fingers the lower numbers come first.
   const std::uint64_t different = a ^ b;
   return (a & different & (~different + 1)) != 0;
 }
 
-// Those that hold none of the others.
+// Keeps the sets that hold none of the others.
 void keep_smallest(std::vector<std::uint64_t>& sets) {
   std::sort(sets.begin(), sets.end(), comes_first);
   std::vector<std::uint64_t> kept;

@@ -1,4 +1,5 @@
-// In which grasps the carriage is blocked, of all sets of held fingers but that of all fingers.
+// Finds the grasps in which the carriage is blocked, among all sets of held fingers but that of all
+// fingers.
 //
 // A grasp jams if some tree of tendons gives nothing to the carriage (kinematics.hpp). No two trees
 // share a finger, so each tree jams or moves by its own held fingers, and of n fingers
@@ -6,8 +7,8 @@
 //   grasps that jam = 2^n − 1 − Π_t m_t,    m_t: sets of held fingers with which tree t moves
 //
 // A tree whose block motions its tendons settle closes its fingers by dl = 1 / Σ_f r_f over its
-// closing fingers (tree_kinematics.hpp). If no r_f is negative, it jams where every finger with
-// r_f > 0 is held. A tendon alone is such a tree. Of another tree each set is tried.
+// closing fingers (tree_kinematics.hpp). If no r_f is negative, it jams where every finger with r_f
+// > 0 is held. A tendon alone is such a tree. For any other tree each set is tried.
 //
 // Friction has no part in it, and no tension is solved.
 #pragma once
@@ -29,15 +30,15 @@ inline constexpr int most_fingers_tried = 16;
 // Keeps its memory: but for trees that are tried, nothing is allocated in the steady state.
 class JamFinder {
  public:
-  // Infinite where it would take too many trials.
+  // Returns the number of grasps that jam; infinite if it would take too many trials.
   double grasps(const Network& network, const Mechanics& mechanics);
 
-  // The sets of held fingers that jam while no smaller set within them does, small ones first.
-  // A grasp that jams holds one of them. Nothing where grasps() is infinite.
+  // Returns the sets of held fingers that jam while no smaller set within them does, small ones
+  // first. A grasp that jams holds one of them. Returns nothing if grasps() is infinite.
   std::vector<Grasp> smallest(const Network& network, const Mechanics& mechanics);
 
  private:
-  // Of one tree, or of a split network as a whole.
+  // The jams are those of one tree, or of a split network as a whole.
   struct TreeJams {
     std::uint64_t fingers = 0;
     bool tried = false;

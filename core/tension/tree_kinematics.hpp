@@ -89,11 +89,12 @@ void for_each_term(const Network& network, const TendonSpan& tendon, Grasp grasp
   });
 }
 
-// Where the tendons settle every block's motion for themselves (one block less than tendons, all
-// independent), they are in balance without friction at tensions λ alone, and a common dl follows
-// from the work of these: dl = 1 / Σ_f r_f over the fingers that close, r_f = w_f λ·c_f / λ·m, with
-// c_f and m a dl of finger f and the motor sides in each tendon's equation. Writes the r_f of
-// fingers 1 … n, 0 of those of other trees. False where that does not hold, or where r_f < 0.
+// Writes the travel ratios r_f of fingers 1 … n, 0 for those of other trees. Returns false if the
+// tendons do not settle every block's motion for themselves, or if some r_f < 0. Tendons settle it
+// if there is one block less than tendons, all independent. They are then in balance without
+// friction at tensions λ alone. A common dl follows from the work of these: dl = 1 / Σ_f r_f over
+// the fingers that close, r_f = w_f λ·c_f / λ·m. Here c_f and m are a dl of finger f and the motor
+// sides in each tendon's equation.
 bool travel_ratios(const Network& network, const Mechanics& mechanics, std::size_t tree,
                    std::vector<double>& ratios);
 

@@ -20,7 +20,7 @@ Figure compared_logarithmic_figure(const DiagnosisReport& report,
 Figure residual_figure(const DiagnosisReport& report, const std::vector<ReadingMark>& marks,
                        const MarkColumn& column);
 
-// What each reading by itself says of a term, over what the term follows, with the fitted curve.
+// Draws the partial residuals of a term over what the term follows, with the fitted curve.
 Figure partial_figure(const DiagnosisReport& report, const std::string& id, const std::string& name,
                       const PartialResiduals& partial);
 

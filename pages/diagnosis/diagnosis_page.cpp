@@ -52,7 +52,7 @@ Json residual_figures(const DiagnosisReport& report, const MarkColumns& columns,
   return list;
 }
 
-// One for each named term that some reading depends on.
+// Adds one figure for each named term that some reading depends on.
 Json partial_figures(const DiagnosisReport& report, Figures& figures) {
   Json list = Json::array();
   const std::vector<NamedCause>& causes = report.result.causes;

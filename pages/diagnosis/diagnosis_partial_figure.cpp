@@ -24,7 +24,7 @@ std::string title(const DiagnosisReport& report, const PartialResiduals& partial
                      axis_title(partial.y), point.y, point.deviation);
 }
 
-// Filled what no fit has seen, as everywhere on the page.
+// Points that no fit has seen are filled, as everywhere on the page.
 chart::Layer points(const DiagnosisReport& report, const PartialResiduals& partial, bool held_out) {
   chart::Points points;
   for (const PartialPoint& point : partial.points) {

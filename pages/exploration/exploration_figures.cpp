@@ -44,7 +44,7 @@ Point reduced(const std::vector<Point>& points, Choose choose) {
   return result;
 }
 
-// Of points of which greater is better those that none beats in both, the greatest x first.
+// Returns the points that none beats in both values, the greatest x first; greater is better.
 std::vector<Point> unbeaten(std::vector<Point> points) {
   std::sort(points.begin(), points.end(),
             [](const Point& a, const Point& b) { return a.x != b.x ? a.x > b.x : a.y > b.y; });

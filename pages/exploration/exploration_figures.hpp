@@ -25,7 +25,7 @@ struct SpotGrid {
   double lines = 60;
 };
 
-// Of the two panels of a figure, each of which is lower.
+// The grid is that of a figure with two panels, each of which is lower.
 inline constexpr SpotGrid of_two_panels{75, 35};
 
 struct DrawnDesign {
@@ -45,8 +45,9 @@ std::vector<Point> front_edge(const std::vector<Point>& front, const TwoObjectiv
 
 Point spot(const PageDesign& design, const TwoObjectives& axes);
 
-// Those that lie in the best tenth of both spreads, or no farther than what none beats in both
-// reaches; none if they lie on a few spots, or are all. What the live plot opens with.
+// Returns the designs with which the live plot opens. They lie in the best tenth of both spreads,
+// or no farther than the designs that none beats in both. Returns none if they lie on a few spots,
+// or are all.
 std::vector<PageDesign> about_the_front(const std::vector<PageDesign>& designs,
                                         const TwoObjectives& axes);
 

@@ -26,10 +26,10 @@ struct ExplorationView {
   std::string command;       // gives this exploration again
   std::string show_options;  // what `reeve show` takes to judge alike: "" or " --hardware FILE"
   SolveDesign solve;
-  // Of how many of the best designs the page has schematics, tensions and contacts, beside those of
-  // the ladder and the known routings; if nobody says, as many as `usual_schematics` show in all
-  // grasps, and of `usual_first_schematics` more the first grasp's schematic: as many as a list has
-  // that nobody made longer.
+  // The number of the best designs with schematics, tensions and contacts, beside those of the
+  // ladder and the known routings. By default these are as many as `usual_schematics` show in all
+  // grasps. `usual_first_schematics` designs more have the schematic of the first grasp: as many as
+  // a list has by default.
   std::optional<std::size_t> details;
 };
 

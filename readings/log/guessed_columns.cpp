@@ -76,7 +76,7 @@ std::optional<std::string> number_in_name(const std::string& letters) {
 
 class ColumnGuess {
  public:
-  // `unit`: as the name or the row of units has it, or "".
+  // `unit` is as the name or the row of units has it, or "".
   ColumnGuess(const std::string& name, std::string unit)
       : words_(words_of(name)),
         letters_(joined(words_, words_.words.size())),
@@ -162,7 +162,7 @@ std::string unit_of_column(const std::string& name, const std::optional<CsvRow>&
   return is_missing(cell) ? "" : std::string(cell);
 }
 
-// Nothing of a column that reeve takes for a covariate.
+// Returns nothing for a column that reeve takes for a covariate.
 std::optional<std::string> known_meaning(const std::string& name, const std::string& unit,
                                          const ReadingOptions& options) {
   const auto named = try_column_named(meaning_of(name, options));
@@ -172,7 +172,8 @@ std::optional<std::string> known_meaning(const std::string& name, const std::str
   return plain_name(*named);
 }
 
-// Without the unit: "motor_tension" of "motor_tension_N", which "motor_tension" means too.
+// Returns the meaning without its unit: "motor_tension" of "motor_tension_N", which "motor_tension"
+// means too.
 std::string without_unit(const std::string& meaning) {
   for (const std::string_view unit : {"_mm_s", "_mm", "_N", "_s", "_C", "_rad"}) {
     if (meaning.ends_with(unit)) return meaning.substr(0, meaning.size() - unit.size());

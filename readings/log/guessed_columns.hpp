@@ -1,6 +1,6 @@
-// What the columns of a logger's file may mean where their names are not reeve's: guessed by common
-// words, English and German, by the numbers beside them and by their units. A guess is proposed to
-// the user and never taken unasked.
+// Guesses what the columns of a logger's file mean if their names are not reeve's. The guess uses
+// common words, English and German, the numbers beside them and their units. It is proposed to the
+// user and never taken unasked.
 //
 //   Zeit [s]            time              Kraft 1 [N]        T1
 //   Weg [mm]            position          Motorkraft [N]     motor_tension
@@ -34,7 +34,7 @@ struct LogGuess {
   std::vector<GuessedColumn> columns;                // with a name, in the order of the file
   std::vector<std::vector<std::string>> first_rows;  // cells of these columns, as written
 
-  // What the user says already, and what is guessed.
+  // The map has the meanings that the user gave, and those that are guessed.
   std::vector<ColumnMeaning> map;
 
   bool has(const std::string& meaning) const;

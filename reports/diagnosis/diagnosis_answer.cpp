@@ -294,7 +294,7 @@ std::string whole_answer(const DiagnosisReport& report) {
                          (mountings.empty() ? "" : mountings + "\n"));
 }
 
-// Where the first lines end.
+// Returns the position behind the first six lines.
 std::size_t end_of_answer(const std::string& text) {
   constexpr int most_lines = 6;
   std::size_t end = 0;

@@ -9,9 +9,9 @@
 
 namespace reeve::reports {
 
-// What is wrong, which cause, how much better: at most six lines.
+// Answers what is wrong, which cause, and how much better, in at most six lines.
 std::string diagnosis_answer(const DiagnosisReport& report);
-// What it says beyond those; often nothing.
+// Returns the lines of the answer beyond those; often there are none.
 std::string further_answer(const DiagnosisReport& report);
 // The answer, then what it rests on.
 Document diagnosis_document(const DiagnosisReport& report);

@@ -100,7 +100,7 @@ std::string first_text(const ListedDesign& first, const ListedLadder& ladder) {
                      values_text(ladder, first.ranked.design.values));
 }
 
-// In which grasps the first jams, and what one that never does costs.
+// Says in which grasps the first design jams, and how good the best design is that never does.
 std::string jams_text(const ListedDesign& first, const ListedLadder& ladder) {
   std::string text =
       jam_sentence(first.smallest_jams, first.ranked.design.values, finger_count(first.routing));
@@ -123,7 +123,7 @@ std::string affordable_text(const ListedLadder& listed) {
                      values_text(listed, ladder.affordable->values));
 }
 
-// What the wearer carries: "at the hand no moving part, 4 strands".
+// Names the parts that the wearer carries: "at the hand no moving part, 4 strands".
 std::string wearer_text(const Routing& routing) {
   const WearerParts parts = wearer_parts(routing);
   const std::string moving =
@@ -146,7 +146,7 @@ std::string choice_text(const char* kind, const ListedDesign& design, const List
                      values_text(listed, values), jams, wearer_text(design.routing));
 }
 
-// Two lines, and what bars in place of the floating pulleys change.
+// Returns two lines, the second with the effect of bars in place of the floating pulleys.
 std::vector<DocumentLine> choice_lines(const ListedLadder& ladder) {
   std::string with = choice_text("With", ladder.choice->with, ladder);
   if (ladder.with_bars) {

@@ -89,7 +89,7 @@ Json chosen_json(const Ladder& ladder, const ListedDesign& design) {
   return entry;
 }
 
-// With what the wearer carries at the hand.
+// Adds to a chosen design the parts that the wearer carries at the hand.
 Json wearer_json(const Ladder& ladder, const ListedDesign& design) {
   Json entry = chosen_json(ladder, design);
   const WearerParts parts = wearer_parts(design.routing);

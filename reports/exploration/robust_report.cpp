@@ -11,17 +11,17 @@
 namespace reeve::reports {
 namespace {
 
-// As a part of what the other has; 0 of nothing.
+// Returns the loss relative to the other value; 0 if that is 0.
 double loss_against(double own, double other) {
   return own == other || other == 0 ? 0 : (other - own) / std::abs(other);
 }
 
-// Of the nominal best in the 5 % quantile.
+// Returns the loss of the nominal best in the 5 % quantile.
 double nominal_loss(const RobustFirst& first) {
   return loss_against(first.nominal.p5, first.robust.p5);
 }
 
-// Of the robust best at the nominal coefficients.
+// Returns the loss of the robust best at the nominal coefficients.
 double robust_loss(const RobustFirst& first) {
   return loss_against(first.robust.value, first.nominal.value);
 }

@@ -10,7 +10,7 @@
 
 namespace reeve::reports {
 
-// Nothing of nothing.
+// Returns no lines if there is no robust best.
 std::vector<DocumentLine> robust_lines(const std::optional<RobustFirst>& first);
 
 Json robust_json(const std::optional<RobustFirst>& first);

@@ -1,4 +1,4 @@
-// How near designs come to a wanted ratio of the fingers' pulls, and whether by statics.
+// Reports how near designs come to a wanted ratio of the fingers' pulls, and whether by statics.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace reeve::reports {
 
-// The nearest in a line or two; nothing of nothing.
+// Describes the nearest design in a line or two; returns no lines without a report.
 std::vector<DocumentLine> target_lines(const std::optional<TargetReport>& report);
 Section target_section(const std::optional<TargetReport>& report);
 

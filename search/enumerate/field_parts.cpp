@@ -10,7 +10,7 @@ std::uint64_t routings_with(GeneratorOptions generator, const PartSet& parts) {
   return RoutingGenerator(generator).total();
 }
 
-// By so many a tendon pulls each finger by a block's side of its own.
+// This many blocks let a tendon pull each finger by a block's side of its own.
 int useful_blocks(int fingers) { return std::min(fingers - 1, max_generated_blocks); }
 
 PartSet with_next_part(PartSet parts) {
@@ -29,7 +29,7 @@ FieldParts field_parts(const FieldRequest& request) {
   std::uint64_t routings = routings_with(request.generator, field.parts);
   while (!field.parts.anchored || field.parts.blocks < to_blocks) {
     const PartSet next = with_next_part(field.parts);
-    // What is above the limit already may be too many to count with another part.
+    // A number above the limit already may be too many to count with another part.
     if (routings <= limit) routings = routings_with(request.generator, next);
     if (routings > limit) {
       field.left_out = {!field.parts.anchored, field.parts.blocks + 1, to_blocks, routings, limit};

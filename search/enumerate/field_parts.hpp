@@ -18,9 +18,9 @@ namespace reeve::search {
 // of 2023, all that is written included: about 4 s on two cores and 1 s on eight. The next greater
 // request, five fingers and two blocks, has 5.3 million.
 inline constexpr std::uint64_t most_of_identical_fingers = 2'000'000;
-// Where fingers are told apart, no tree is evaluated for more than one routing, which takes ten
-// times as long: 137 thousand routings of three fingers and two blocks take 4 s of one core, 1.9
-// million of four fingers and a block 26 s.
+// The limit is lower for fingers that are told apart: no tree is evaluated for more than one
+// routing, which takes ten times as long. 137 thousand routings of three fingers and two blocks
+// take 4 s of one core. 1.9 million of four fingers and a block take 26 s.
 inline constexpr std::uint64_t most_of_distinct_fingers = 200'000;
 
 constexpr std::uint64_t most_field_routings(FingerIdentity identity) {

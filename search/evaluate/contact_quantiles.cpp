@@ -17,7 +17,7 @@ double log_of(double value) { return value > 0 ? std::log(value) : log_of_nothin
 
 }  // namespace
 
-// As quantile_of, in memory that is kept.
+// Returns the same as quantile_of, in memory that is kept.
 double ContactQuantileFinder::low_quantile(const Draws& values) {
   sorted_.assign(values.begin(), values.end());
   std::sort(sorted_.begin(), sorted_.end());
@@ -82,7 +82,7 @@ void ContactQuantileFinder::add_grasp(const Network& network, Mechanics& nominal
   }
   const std::size_t strands = base_.size() - 1;
   efficiency_ += grasp.weight * drawn_[strands].exp();
-  // Without strands, or where all are slack, there is no uniformity.
+  // Uniformity has no value if there are no strands, or if all are slack.
   const auto end = base_.begin() + static_cast<std::ptrdiff_t>(strands);
   if (std::all_of(base_.begin(), end, [](double log) { return log == log_of_nothing; })) return;
   least_ = most_ = drawn_[0];

@@ -1,5 +1,5 @@
-// What is left of uniformity and efficiency where no two contacts are alike: their 5 % quantiles,
-// to first order.
+// Computes the 5 % quantiles of uniformity and efficiency where no two contacts are alike, to first
+// order.
 //
 // Contact k has the exponent φ_k (1 + σ_k z_k), z_k standard normal and independent of the others
 // (ContactScatter). Across contacts that slide, ln T is linear in the exponents, so that in a grasp
@@ -9,8 +9,8 @@
 //   ln efficiency = ln efficiency⁰ + Σ_k h_k z_k,    h_k likewise
 //
 // The quantiles are those of the means over the grasps, over the draws 0, 1, … of one seed, the
-// same for all designs. Assumption: what does not slide stays near the line. Of known
-// routings the quantiles are off by 0.002 on average (tests/search/contact_quantiles_test.cpp).
+// same for all designs. Assumption: what does not slide stays near the line. For known routings the
+// quantiles are off by 0.002 on average (tests/search/contact_quantiles_test.cpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -33,11 +33,11 @@ class ContactQuantileFinder {
   static constexpr std::size_t draws = 400;
   static constexpr std::uint64_t seed = 1;
 
-  // A pull in this grasp with these exponents; `again`: the grasp is that of the call before. The
-  // state is valid until the next call.
+  // Solves a pull in this grasp with these exponents; `again` is true if the grasp is that of the
+  // call before. The state is valid until the next call.
   using Solve = std::function<const TensionState&(const Mechanics&, Grasp, bool again)>;
 
-  // `deviations`: σ of each contact. `nominal` is changed and put back.
+  // `deviations` has σ of each contact. `nominal` is changed and put back.
   ContactQuantiles find(const Network& network, Mechanics& nominal,
                         const std::vector<double>& deviations, const GraspSet& grasps,
                         const Solve& solve);
@@ -45,7 +45,7 @@ class ContactQuantileFinder {
  private:
   using Draws = Eigen::Array<double, Eigen::Dynamic, 1>;
 
-  // Of one grasp: ln T of the strands, then ln of the efficiency.
+  // Writes the logarithms of one grasp: ln T of the strands, then ln of the efficiency.
   void read(const Network& network, const TensionState& state, std::vector<double>& logs) const;
   void add_grasp(const Network& network, Mechanics& nominal, const std::vector<double>& deviations,
                  const WeightedGrasp& grasp, const Solve& solve);

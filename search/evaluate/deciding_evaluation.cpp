@@ -264,7 +264,7 @@ std::optional<Estimate> DecidingEvaluator::estimate(const Routing& routing) {
   return result;
 }
 
-// As of JamFinder.
+// Returns the same as JamFinder::grasps.
 double DecidingEvaluator::jams_all() const {
   double moving = 1;
   int fingers = 0;

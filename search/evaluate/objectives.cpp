@@ -192,7 +192,7 @@ std::vector<std::string> objective_names() {
   return names;
 }
 
-// Those that a user may write: of means the family alone, too.
+// Returns the names that a user may write; for means also the family alone.
 std::vector<std::string> names_for_objectives() {
   std::vector<std::string> names = objective_names();
   for (const std::string_view family : mean_families) names.emplace_back(family);

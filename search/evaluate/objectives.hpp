@@ -72,7 +72,7 @@ struct GraspOutcome {
   GripDemand grip{};  // with a hand
 };
 
-// What is left of the means over the grasps where no two contacts are alike: their 5 % quantiles
+// The 5 % quantiles of the means over the grasps where no two contacts are alike
 // (contact_quantiles.hpp).
 struct ContactQuantiles {
   double uniformity = 0;
@@ -96,7 +96,8 @@ struct DesignOutcome {
   // Of its parts; infinite where nobody says what they cost. (Not NaN: such values would not even
   // equal themselves.)
   double cost = std::numeric_limits<double>::infinity();
-  // Of all sets of held fingers but that of all fingers, those that jam (core/tension/jamming.hpp).
+  // The number of sets of held fingers that jam, of all but that of all fingers
+  // (core/tension/jamming.hpp).
   double jams_all = 0;
   ContactQuantiles where_contacts_scatter{};
   HandOutcome hand{};

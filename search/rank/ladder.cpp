@@ -79,7 +79,7 @@ std::optional<std::size_t> knee(const std::vector<Rung>& rungs) {
   return highest;
 }
 
-// Of both kinds of candidates those that none of the other kind matches or beats, either.
+// Returns the candidates of both kinds that none of the other kind matches or beats, either.
 std::vector<Design> undominated(const std::vector<Design>& candidates, const Order& order,
                                 Objective by) {
   Archive front(with_measure(order, by), 1);
@@ -99,7 +99,8 @@ void sort_by_measure(std::vector<Design>& designs, Objective by) {
 
 bool has_blocks(const Design& design) { return value(design.values, Objective::blocks) > 0; }
 
-// Of candidates in order of the measure those with least of it that lose no more than `within`.
+// Returns the candidates with the least measure that lose no more than `within`. The candidates are
+// in order of the measure.
 std::vector<Design> cheapest_within(const std::vector<Design>& candidates, const Ladder& ladder) {
   std::vector<Design> cheapest;
   for (const Design& design : candidates) {
@@ -125,7 +126,7 @@ std::optional<Design> affordable(const std::vector<Design>& candidates, const Or
   return first_of(std::move(cheapest), order);
 }
 
-// Of candidates of one kind, at least one.
+// Chooses among candidates of one kind; there is at least one.
 Design chosen(std::vector<Design> candidates, const Order& order, const Ladder& ladder) {
   std::vector<Design> cheapest = cheapest_within(candidates, ladder);
   return first_of(cheapest.empty() ? std::move(candidates) : std::move(cheapest), order);

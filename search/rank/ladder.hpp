@@ -1,5 +1,5 @@
-// What more parts buy: for each amount of a measure (sheaths, blocks, pulleys, parts, cost) the
-// best design that needs no more of it.
+// Finds, for each amount of a measure (sheaths, blocks, pulleys, parts, cost), the best design that
+// needs no more of it.
 //
 // The rung at k is the first, in the order of the ranking, of the designs with at most k; of those
 // that are equal in every ranked objective the one with least. A k at which no better one appears
@@ -66,7 +66,7 @@ std::vector<Objective> ranked_by(const Order& order);
 // Infinite if the first has 0 and this is worse.
 double loss(Objective objective, const ObjectiveValues& values, const ObjectiveValues& first);
 
-// Whether it loses no more than `within` in any ranked objective.
+// True if a design loses no more than `within` in any ranked objective.
 bool is_within(const ObjectiveValues& values, const Ladder& ladder);
 
 // Of candidates as LadderArchive keeps them, in any order.

@@ -33,8 +33,8 @@ using Bands = std::vector<ObjectiveBand>;
 
 const Band* find_band(const Bands& bands, Objective objective);
 
-// Whether friction moves it, so that draws make a band of it. Parts are counted, where fingers and
-// carriage go is geometry, and quantiles over contacts are of draws themselves.
+// True if friction moves the objective, so that draws make a band of it. Parts are counted, where
+// fingers and carriage go is geometry, and quantiles over contacts are of draws themselves.
 bool depends_on_friction(Objective objective);
 
 // Those that are, of a hardware with or without a hand.

@@ -5,9 +5,9 @@
 // mounted. A block turns on a bearing: where it has a mu of its own, that varies with theirs, in
 // proportion. The ranges of mu are widened to hold the nominal values, if need be.
 //
-// Of a model it is the hardware that varies, and the effects act on what comes out: they were found
-// on a rig and are taken as known. So a coefficient that an effect replaces (tube_friction) does
-// not vary, and one that it adds to or scales does.
+// The hardware of a model varies, and the effects act on what comes out: they were found on a rig
+// and are taken as known. So a coefficient that an effect replaces (tube_friction) does not vary,
+// and one that it adds to or scales does.
 #pragma once
 
 #include <array>
@@ -29,8 +29,8 @@ CoefficientBox coefficient_box(const Hardware& nominal, const UncertaintyRanges&
 // A point drawn uniformly: a function of seed and number alone.
 std::vector<double> drawn_point(const CoefficientBox& box, std::uint64_t seed, std::uint64_t draw);
 
-// Of each contact by itself, beside what a kind has in common; nothing where contacts do not
-// scatter.
+// Returns the draw of each contact by itself, beside what a kind has in common; nothing if contacts
+// do not scatter.
 std::optional<ContactDraw> contact_draw(const Hardware& hardware, std::uint64_t seed,
                                         std::uint64_t draw);
 

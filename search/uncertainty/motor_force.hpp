@@ -5,7 +5,7 @@
 //   p95       95 % quantile of F_M over draws of the coefficients (uncertainty.hpp)
 //
 // A motor is enough if it pulls with the quantile: then 95 % of the hands reach all wanted forces.
-// Of the same routing, model, grasps, draws and seed it is the same number wherever it is asked.
+// The number is the same wherever it is asked of the same routing, model, grasps, draws and seed.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@
 
 namespace reeve::search {
 
-// Draws of who does not say how many.
+// The number of draws if the user gives none.
 inline constexpr std::size_t motor_draws = 1000;
 
 struct MotorForce {
@@ -30,7 +30,7 @@ struct MotorForce {
   bool is_met_by(double motor_N) const { return p95_N <= motor_N; }
 };
 
-// Nothing of a hardware without a hand, or of fingers that it does not know.
+// Returns nothing if the hardware has no hand, or does not know the fingers.
 std::optional<MotorForce> motor_force(const Routing& routing, const UncertaintyOptions& options);
 
 }  // namespace reeve::search

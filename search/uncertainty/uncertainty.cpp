@@ -124,8 +124,8 @@ DesignEvaluator evaluator_of(const Model& model, const UncertaintyOptions& optio
   return evaluator;
 }
 
-// Without jams in all grasps where nothing is judged by them, since friction does not move them;
-// likewise without quantiles over contacts, of which the draws tell.
+// Returns a scope that has jams in all grasps only if something is judged by them, since friction
+// does not move them. Quantiles over contacts are likewise left out, since the draws tell of them.
 EvaluationScope drawn_scope(const UncertaintyOptions& options) {
   std::vector<Objective> judged = ranked_by(options.order);
   for (const Constraint& constraint : options.constraints) judged.push_back(constraint.objective);
@@ -147,8 +147,8 @@ struct DrawnBands {
   }
 };
 
-// Of the routings from those on that there are, a pass for each block of them that there is room
-// for.
+// Adds the bands of the routings that have none yet. Each pass takes as many of them as there is
+// room for.
 bool add_bands(const std::vector<Routing>& routings, const std::vector<Objective>& objectives,
                const UncertaintyOptions& options, const DrawnModel& model, DrawLoop& loop,
                DrawnBands& drawn) {

@@ -1,5 +1,5 @@
-// How sure a ranking is: the coefficients are drawn from their ranges, the designs are evaluated
-// and ranked anew for each draw, and each design's place and each of its objectives become a
+// Measures how sure a ranking is. The coefficients are drawn from their ranges, and the designs are
+// evaluated and ranked anew for each draw. Each design's place and each of its objectives become a
 // distribution.
 //
 // A draw has two layers: a point of the box of uncertain coefficients (coefficient_box.hpp),

@@ -46,7 +46,7 @@ TEST(ShippedCatalogue, HoldsTheSevenRoutingsInOrderWithTheirCanonicalWords) {
   EXPECT_EQ(found, expected);
 }
 
-// By the parts of the walk: so many ends M, and two sheaths for each P.
+// The sheaths are counted by the parts of the walk: one for each end M, and two for each P.
 TEST(ShippedCatalogue, HasTheSevenForMoreFingersWithTheSheathsOfTheirKind) {
   const Catalogue catalogue = read_catalogue(REEVE_CATALOG_DIR);
   const auto sheaths = [](const Routing& routing) {
@@ -81,7 +81,7 @@ TEST(ShippedCatalogue, HasEachNumberOfFingersOfANameOnceAndInOrder) {
   EXPECT_TRUE(catalogue.sizes_of("Nobody").empty());
 }
 
-// Without friction each pulley halves what pulls it.
+// Each pulley halves its pull if there is no friction.
 TEST(ShippedCatalogue, HasTreesOfPulleysThatHalveAtEachStage) {
   const Catalogue catalogue = read_catalogue(REEVE_CATALOG_DIR);
   Hardware ideal;

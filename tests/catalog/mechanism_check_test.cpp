@@ -93,7 +93,7 @@ TEST(MechanismCheck, LeavesOpenWhatIsListedAsOpenAndSaysItsSize) {
   EXPECT_EQ(open.reason, "1.5 is published and 0.75 computed (+100.0 %); nobody knows");
 }
 
-// What gave the coefficient of an expression proves nothing of it, and has to fit it.
+// A number that gave the coefficient of an expression proves nothing of it, and has to fit it.
 TEST(MechanismCheck, CountsTheNumberThatALawIsFittedToAsUsed) {
   const CheckItem used = item(
       "computed = \"T1/T_M\", value = \"1.0\", used = true, explained_by = \"2*r\", "
@@ -220,7 +220,8 @@ TEST(CheckOfTheShippedMechanisms, LeavesWhatArithmeticDoesNotShowOpenOrRefuted) 
   }
 }
 
-// By hand: 2498.72 kN at the jack, mu 0.2, a parabola of 0.48 m on 15 m, wobble 0.01 rad/m.
+// The forces are computed by hand: 2498.72 kN at the jack, mu 0.2, a parabola of 0.48 m on 15 m,
+// wobble 0.01 rad/m.
 TEST(CheckOfTheShippedMechanisms, FollowsAPrestressingTendonThroughItsDuct) {
   std::size_t stations = 0;
   for (const CheckItem& item : shipped_mechanisms().items) {

@@ -1,4 +1,4 @@
-// What explore and count allow where no parts are named.
+// Tests the parts that explore and count allow if none are named.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

@@ -59,7 +59,7 @@ TEST(ManPage, TakesNoTextForARequest) {
   EXPECT_TRUE(has(page, "\\fB\\-\\-a\\-b\\fR \\fINUMBER\\fR\n\\&'quoted' first. Default: \\-1.\n"));
 }
 
-// By bash itself: the words of the line, the last one unfinished.
+// Returns the completions of bash itself; `words` are those of the line, the last one unfinished.
 std::string completed(const std::vector<std::string>& words) {
   const testing::TemporaryFolder folder;
   folder.write("completion", bash_completion(subcommand_texts()));

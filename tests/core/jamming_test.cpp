@@ -1,4 +1,4 @@
-// Where a routing jams, of all grasps: small cases by hand. tests/property compares with the
+// Tests the grasps in which a routing jams: small cases by hand. tests/property compares with the
 // solver.
 #include "core/tension/jamming.hpp"
 

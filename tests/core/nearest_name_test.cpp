@@ -10,7 +10,7 @@
 namespace reeve::core {
 namespace {
 
-// By the recursion that defines it, exponential in the lengths.
+// Computes the distance by the recursion that defines it, exponential in the lengths.
 std::size_t by_recursion(const std::string& a, const std::string& b) {
   if (a.empty() || b.empty()) return std::max(a.size(), b.size());
   const std::string a1 = a.substr(1);

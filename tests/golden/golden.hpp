@@ -1,5 +1,5 @@
-// What users' scripts read, compared with files in expected/: keys, their order and strings
-// exactly, numbers to within 1e-9. Seconds, rates, the version and what hangs on it are left out.
+// Compares what users' scripts read with files in expected/: keys, their order and strings exactly,
+// numbers to within 1e-9. Seconds, rates, the version and what hangs on it are left out.
 //
 // REEVE_UPDATE_GOLDEN=1 in the environment rewrites the files instead; look at the difference
 // before you keep it, and at docs/schema.

@@ -10,7 +10,7 @@
 namespace reeve::testing {
 namespace {
 
-// True of an object whose keys depend on the input; python/tests/test_schema.py checks its values.
+// True for an object whose keys depend on the input; python/tests/test_schema.py checks its values.
 bool is_map(const std::string& key, const Json& value) {
   static const std::set<std::string> maps{
       "tensions",   "shares", "rejected", "bands",      "weights",    "gains",    "losses",

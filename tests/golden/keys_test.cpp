@@ -220,7 +220,7 @@ TEST(KeysOfCheck, AreThePromisedOnes) {
   for (const Json& check : json["checks"]) {
     EXPECT_EQ(keys(check),
               "family routing source quantity published computed status inferred_from reason");
-    // What gave the coefficient of an expression has the expression as its reason.
+    // A number that gave the coefficient of an expression has the expression as its reason.
     if (check["status"] == "used") {
       EXPECT_FALSE(check["inferred_from"].is_null());
     } else {

@@ -55,7 +55,7 @@ std::vector<DocumentedCommand> documented_commands(const fs::path& page) {
   return commands;
 }
 
-// By a shell, which reads quotes as the reader's does.
+// Runs the command by a shell, which reads quotes as the reader's does.
 ProcessResult run_documented(const std::string& command, const fs::path& folder) {
   ProcessOptions options{.directory = folder};
   return run_process({"/bin/sh", "-c", std::string(REEVE_EXECUTABLE) + " " + command}, options);
@@ -64,7 +64,7 @@ ProcessResult run_documented(const std::string& command, const fs::path& folder)
 void expect_documented(const DocumentedCommand& documented, const fs::path& folder) {
   SCOPED_TRACE(documented.command);
   const ProcessResult result = run_documented(documented.command, folder);
-  // 1: the answer is no.
+  // Exit status 1 means that the answer is no.
   EXPECT_LE(result.exit_code, documented.lines.empty() ? 0 : 1) << result.err;
   const std::string out = "\n" + result.out;
   std::size_t at = 0;

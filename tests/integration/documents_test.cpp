@@ -158,7 +158,7 @@ TEST(FiguresInDocuments, AreWhatTheirCommandsWrite) {
 
 namespace fs = std::filesystem;
 
-// True of a byte that GitHub keeps of a heading in its anchor.
+// True for a byte that GitHub keeps of a heading in its anchor.
 bool is_kept_in_anchor(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return std::isalnum(byte) != 0 || c == '-' || c == '_' || c == ' ' || byte >= 0x80;

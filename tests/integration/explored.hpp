@@ -26,7 +26,7 @@ inline ProcessOptions disturbed(int signal, std::function<bool(const RunningProc
   return options;
 }
 
-// Where nothing else is asked for, parts whose designs do not change with what the default allows.
+// Adds --parts full if no parts are named: its designs do not change with what the default allows.
 inline Arguments with_full_parts(Arguments arguments) {
   const bool names_parts =
       std::any_of(arguments.begin(), arguments.end(),

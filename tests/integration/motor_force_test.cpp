@@ -49,7 +49,7 @@ TEST(MotorForceOfTheCommands, IsOneNumber) {
   const Json drawn = parsed({"rank", sized_word, "--hardware", hand.file, "--uncertainty"});
   EXPECT_EQ(drawn["motor"], motor);
   EXPECT_EQ(drawn["designs"][0]["bands"]["motor_force"]["p95"], motor["p95_N"]);
-  // Nothing meets it; the hand is that of all grasps all the same.
+  // No design meets the target; the motor force is that of all grasps all the same.
   const ProcessResult aimed = reeve(Arguments{
       "size", sized_word, "--hardware", hand.file, "--vary", "tip_angle[1]=3..3.2", "--target",
       "1=2,others=1", "--nominal", "--starts", "1", "--evaluations", "10", "--format", "json"});

@@ -43,7 +43,7 @@ Json bands_by_word(const Json& designs) {
 // `size` makes the 5 % quantile of its goal the thing to be great.
 TEST(Bands, HaveTheQuantileByWhichSizingIsRobust) {
   const Arguments ranking("rank TR1 --uncertainty --draws 1000 --seed 3 --format json");
-  // Searched with a few draws, and told over 1000.
+  // The search uses a few draws, and the result uses 1000.
   const Arguments sizing(
       "size TR1 --goal efficiency_mean --vary tip_angle=1..4 --draws 40 --seed 3 --format json");
   const Json band = Json::parse(reeve(ranking).out)["designs"][0]["bands"]["efficiency_mean"];

@@ -177,7 +177,7 @@ TEST(ExplorationPage, EscapesWhatUsersWrote) {
   EXPECT_EQ(page_data(page.html)["commands"]["options"], view.show_options);
 }
 
-// Beside the answer, before anything is folded.
+// The assumptions stand beside the answer, before anything is folded.
 TEST(ExplorationPage, SaysOnTheFirstScreenWhatWasAssumed) {
   const std::string html = exploration_page(testing::view(explored(small_options()))).html;
   const std::string screen = html.substr(0, html.find("class=\"workspace\""));

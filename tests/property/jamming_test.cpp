@@ -35,7 +35,7 @@ std::vector<Grasp> jamming_grasps(const Network& network, const Mechanics& numbe
   return jamming;
 }
 
-// By the definition: no set within it jams.
+// Returns the smallest sets by the definition: no set within them jams.
 std::vector<Grasp> smallest_of(const std::vector<Grasp>& jamming) {
   std::vector<Grasp> smallest;
   for (const Grasp grasp : jamming) {
@@ -55,7 +55,7 @@ std::vector<Grasp> smallest_of(const std::vector<Grasp>& jamming) {
   return smallest;
 }
 
-// Of all that a hardware says, the shares of the fingers alone bear on where they can go.
+// Draws the shares of the fingers, which alone in a hardware bear on where fingers can go.
 Hardware closing_unlike(Dice& dice, int fingers) {
   Hardware hardware;
   for (int number = 1; number <= fingers; ++number) {
@@ -69,7 +69,7 @@ Hardware closing_unlike(Dice& dice, int fingers) {
 
 void compare_jams(const Routing& routing, Dice& dice, JamFinder& finder, JamTally& tally) {
   const Network network = expand(routing);
-  // What no motor pulls has no tensions.
+  // A routing that no motor pulls has no tensions.
   if (!is_actuated(routing)) return;
   const Mechanics numbers = mechanics(network, closing_unlike(dice, network.fingers));
   const std::vector<Grasp> jamming = jamming_grasps(network, numbers);

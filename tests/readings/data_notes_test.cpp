@@ -62,7 +62,7 @@ TEST(ARunInWhichNoSensorSaysAnything, IsLeftOutAndNoted) {
   };
   EXPECT_EQ(silent("B,TR5,,20,,,1\nB,TR5,,30,,,1\n"), (Lines{4, 5}));
   EXPECT_EQ(silent("B,TR5,,20,0,0,1\nB,TR5,,30,0,0,1\n"), (Lines{4, 5}));
-  // At loads at which strands may be slack, or where one sensor of the run reads.
+  // A run is not silent at loads at which strands may be slack, or if one of its sensors reads.
   EXPECT_EQ(silent("B,TR5,,1,0,0,1\nB,TR5,,2,0,0,1\n"), Lines{});
   EXPECT_EQ(silent("B,TR5,,20,0,0,1\nB,TR5,,30,0,9,1\n"), Lines{});
   const MeasuredData left = data("B,TR5,,20,,,1\nC,TR5,,20,4,10,1\n");

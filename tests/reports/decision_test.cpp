@@ -76,7 +76,7 @@ TEST(AnswerLines, SayWhereTheFirstJamsAndWhatNeverJammingCosts) {
                            "uniformity 0.792 (-1.0 %)\n"));
 }
 
-// In place of the line on the fewest sheaths, which is one of the two.
+// The two lines replace the line on the fewest sheaths, which is one of the two designs.
 TEST(AnswerLines, NameTheBestWithAndWithoutFloatingPulleysAndWhatTheWearerCarries) {
   ListedLadder ladder = three_rungs();
   ListedDesign without = ladder.rungs[0];

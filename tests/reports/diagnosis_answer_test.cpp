@@ -223,7 +223,7 @@ TEST(DiagnosisAnswer, SaysThatNothingIsLeftOnlyWhereChanceGivesAsMuchOftenerThan
     if (verdict == Verdict::indistinguishable) {
       report.result.indistinguishable = {{"tube_friction", "wear"}};
     }
-    // √0.0009 of 0.1 N.
+    // The structure is √0.0009 of 0.1 N.
     report.result.structure = {{"strand", 3.21, 0.004, 0.0009}, {"load", 1, 0.2, 0}};
     report.result.residual_before_N = 3.1;
     report.result.residual_after_N = 0.1;
@@ -284,7 +284,7 @@ TEST(DiagnosisAnswer, SpeaksOfNoGraspOnABench) {
   }
 }
 
-// Of readings of 20 N a thousandth hardly shows, and a hundredth does.
+// A thousandth of readings of 20 N hardly shows, and a hundredth does.
 TEST(DiagnosisAnswer, SaysHowMuchEachCauseExplainsAndWhetherItMatters) {
   DiagnosisReport report = report_of(Verdict::cause);
   report.result.causes = {tubes(), other_sensor()};

@@ -21,7 +21,7 @@ using testing::ContactDeviations;
 using testing::options_for;
 using testing::ReferenceHardware;
 
-// Nothing that a kind of part has in common varies.
+// Returns options in which no coefficient of a whole kind of part varies.
 UncertaintyOptions contacts_alone(std::size_t draws) {
   UncertaintyOptions options = options_for(draws);
   options.ranges = {{0.18, 0.18}, {0.18, 0.18}, 0, 0};

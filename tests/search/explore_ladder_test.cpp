@@ -42,7 +42,7 @@ std::vector<Design> all_designs(const ExploreOptions& options) {
   return designs;
 }
 
-// Of one kind: least of the measure within the loss, or the first where none is within.
+// Expects of one kind the least of the measure within the loss, or the first where none is within.
 void expect_naive_choice(const Design& chosen, std::vector<Design> kind, const Ladder& ladder,
                          const ExploreOptions& options) {
   const Objective by = ladder.options.by;

@@ -17,7 +17,7 @@ inline UncertaintyOptions options_for(std::size_t draws) {
   return options;
 }
 
-// Of contacts that are alike: what a kind has in common varies alone.
+// Returns options in which contacts are alike: what a kind has in common varies alone.
 inline UncertaintyOptions options_of_like_contacts(std::size_t draws) {
   UncertaintyOptions options = options_for(draws);
   options.nominal.hardware.scatter = {0, 0};

@@ -121,7 +121,7 @@ TEST(Sizing, IsAtLeastAsGoodAsADenseGrid) {
     });
   };
   EXPECT_NEAR(goal, over(20), 1e-12);
-  // Searched with few draws, told over as many as everywhere.
+  // The search uses few draws, and the result uses as many as everywhere.
   EXPECT_NEAR(found.after.goal, over(1000), 1e-12);
 }
 

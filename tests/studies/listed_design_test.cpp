@@ -1,4 +1,4 @@
-// Of listed designs: the best that never jams, and the robust best.
+// Tests the best listed design that never jams, and the robust best.
 #include "studies/listed_design.hpp"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(ListedDesigns, HaveARobustBestOfTheGreatestLowQuantileOverDraws) {
   designs[1].decisive = Band{0.2, 0.15, 0.3};
   designs[2].decisive = Band{0.2, 0.16, 0.3};
   EXPECT_EQ(robust_word(designs), designs[2].ranked.design.word);
-  // Where contacts are not alike, bearings that change nothing otherwise do.
+  // Bearings that change nothing otherwise matter where contacts are not alike.
   designs[2].same_as = designs[1].ranked.design.word;
   EXPECT_EQ(robust_word(designs), designs[2].ranked.design.word);
   EXPECT_TRUE(studies::robust_first(designs, Order{})->over_draws);

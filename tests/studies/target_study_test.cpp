@@ -42,7 +42,7 @@ SizingOptions aiming_at(const std::string& target, int fingers,
   return options;
 }
 
-// Of the pulls without friction, by name; a fork halves, a movable pulley doubles.
+// Returns finger 1's share of the pulls without friction; a fork halves, a movable pulley doubles.
 double first_share(const std::string& word) {
   const GoalEvaluator goal(parse_routing(word), parse_target("others=1", 2),
                            parse_grasps("none", 2), authors_score());
@@ -58,7 +58,7 @@ TEST(PullsWithoutFriction, AreThoseOfForksAndPulleys) {
   EXPECT_NEAR(first_share("M-1-Y1+2x-Y1-F"), 2 / 2.5, 1e-9);
 }
 
-// With the core's solver alone.
+// True if the pulls without friction have this ratio, by the core's solver alone.
 bool has_pulls(const Routing& routing, double ratio) {
   const Network network = expand(routing);
   for (const TendonSpan& tendon : network.tendons) {

@@ -17,8 +17,8 @@ struct ContactDeviations {
   double bearing_relative = 0.1;
 };
 
-// In each draw every contact has an exponent of its own, normal about that of its kind; the mean
-// over the grasps of the least over the greatest strand tension.
+// Returns for each draw the mean over the grasps of the least over the greatest strand tension. In
+// each draw every contact has an exponent of its own, normal about that of its kind.
 std::vector<double> scattered_uniformities(const std::string& word,
                                            const std::vector<std::set<int>>& grasps,
                                            const ReferenceHardware& hardware,

@@ -1,4 +1,4 @@
-// What nature does in planted data: tensions under effects that the nominal model does not know.
+// The tensions of planted data follow effects that the nominal model does not know.
 //
 // A contact with exponent phi lets T_low = T_high e^{-phi} through where it slides, and at least
 // that much where it does not. With T_high the larger of its two tensions in newton,

@@ -1,6 +1,6 @@
-// Whether this program is instrumented. A sanitizer's runtime has to be loaded before everything
-// else, has an allocator of its own, and takes several times as long: rates and sizes, which do not
-// hang on it, are told by the release build.
+// Tells whether this program is instrumented. A sanitizer's runtime has to be loaded before
+// everything else, has an allocator of its own, and takes several times as long. Rates and sizes,
+// which do not hang on it, are told by the release build.
 #pragma once
 
 #include <gtest/gtest.h>
