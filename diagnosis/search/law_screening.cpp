@@ -247,11 +247,12 @@ class LawFamilies {
     return true;
   }
 
-  // The constant of a law is the library's, or the hardware's.
+  // The library or the hardware has a name for the constant: friction, bearing_drag.
   static bool is_library_constant(const Lever& lever) {
     const Site& site = lever.site;
     if (site.place != SitePlace::contacts) return true;
-    return lever.breadth == Breadth::whole && lever.target == Target::exponent;
+    return lever.breadth == Breadth::whole &&
+           (lever.target == Target::exponent || site.kind == ContactKind::bearing);
   }
 
   // The laws of all levers, and behind them those of levers of the whole rig.
