@@ -171,6 +171,25 @@ class Spreads {
   double mounting_degrees_;
 };
 
+// The place of a step moves no reading until it passes one: no slope tells how far it may go. The
+// farthest place towards `end` whose misfit is not greater than `most`.
+double farthest_place(const Problem& problem, Model model, std::size_t effect,
+                      std::size_t parameter, double end, double most) {
+  double& value = model.effects[effect].values[parameter];
+  double inside = value;
+  const auto fits = [&](double place) {
+    value = place;
+    return residuals(problem, forecast(*problem.dataset, model)).squaredNorm() <= most;
+  };
+  if (fits(end)) return end;
+  constexpr int halvings = 20;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (inside + end) / 2;
+    (fits(middle) ? inside : end) = middle;
+  }
+  return inside;
+}
+
 }  // namespace
 
 std::vector<std::vector<ParameterInterval>> parameter_intervals(const Problem& problem,
@@ -185,6 +204,8 @@ std::vector<std::vector<ParameterInterval>> parameter_intervals(const Problem& p
       std::max(1.0, problem.dataset->degrees_of_freedom() - static_cast<double>(jacobian.cols()));
   const Spreads spreads(run_equations(problem, jacobian, left), jacobian, left, degrees,
                         own_variance(problem, model, at), mounting_degrees);
+  const double most_misfit = left.squaredNorm() + std::pow(two_sided_t(degrees), 2) *
+                                                      std::max(1.0, left.squaredNorm() / degrees);
   Index column = 0;
   for (std::size_t e = 0; e < model.effects.size(); ++e) {
     const Effect& effect = model.effects[e];
@@ -193,10 +214,13 @@ std::vector<std::vector<ParameterInterval>> parameter_intervals(const Problem& p
       const Range range = parameters[p].range;
       const Spread spread = spreads(column);
       const double width = spread.half_width();
-      const double reach = std::isfinite(width) ? width : range.high - range.low;
-      result[e].push_back({std::max(range.low, effect.values[p] - reach),
-                           std::min(range.high, effect.values[p] + reach), spread.deviation,
-                           spread.degrees});
+      const auto bound = [&](double end) {
+        if (!std::isfinite(width)) return farthest_place(problem, model, e, p, end, most_misfit);
+        return std::clamp(effect.values[p] + std::copysign(width, end - effect.values[p]),
+                          range.low, range.high);
+      };
+      result[e].push_back(
+          {bound(range.low), bound(range.high), spread.deviation, spread.degrees});
     }
   }
   return result;

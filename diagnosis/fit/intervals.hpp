@@ -18,7 +18,9 @@
 // is then taken to scatter as all parameters together do: var = b² H⁻¹ with
 // b² = Σ_r |Q_r e_r|² / (Σ_r rank Q_r − p), Q_r the projection onto run r's sensitivities, p the
 // number of parameters. With fewer than four runs in all, or too little left for b, only
-// independent readings are known. An interval lies within the range of its parameter.
+// independent readings are known. A parameter that moves no reading to first order, such as the
+// place of a step, goes as far as the misfit rises by the square of t. An interval lies within the
+// range of its parameter.
 #pragma once
 
 #include <limits>
@@ -31,7 +33,7 @@ namespace reeve::diagnosis {
 struct ParameterInterval {
   double low = 0;
   double high = 0;
-  double deviation = 0;  // standard error; infinite where no reading depends on the parameter
+  double deviation = 0;  // standard error; infinite where no slope tells it
   double degrees = 1;    // of Student's t that its half-width is of
 };
 

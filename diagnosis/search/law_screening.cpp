@@ -28,7 +28,7 @@ using Eigen::VectorXd;
 constexpr double price_of_law = 1;  // beside what the library has a name for
 constexpr double price_of_bend = 2;
 constexpr double price_of_product = 2;
-constexpr double price_of_place = 3;
+constexpr double price_of_place = 2;
 constexpr double price_of_apart = 4;
 constexpr double price_of_part = 1;
 
@@ -186,6 +186,10 @@ class LawFamilies {
   double price_of(const Lever& lever, std::size_t c) const {
     return price_of_covariate() + (covariate(c).is_place ? price_of_place : 0) +
            price_of_part * static_cast<double>(lever.breadth);
+  }
+  // The place of a step is one of a number, and no fitted parameter.
+  double price_of_knot(std::size_t c) const {
+    return std::log(static_cast<double>(covariate(c).distinct.size())) - std::log(degrees_) / 2;
   }
 
   Term term(const Lever& lever, Form form) const {
@@ -636,6 +640,7 @@ class LawFamilies {
                 price_of(screening_.levers_[l], c) + price_of_bend,
                 bent.gain,
                 3 + 3 * c};
+      if (laws[j].form == Form::step) made.price += price_of_knot(c);
       made.term.x = covariate(c).covariate;
       keep(l, made);
     }

@@ -96,6 +96,9 @@ TEST(TermSearch, FindsTheValueAtWhichAStepIs) {
     EXPECT_EQ(term->form, causes::Form::step);
     EXPECT_NEAR(law.effect.values[0], -0.3, 0.01);
     EXPECT_NEAR(law.effect.values[1], at, 1);
+    EXPECT_LE(law.parameters[1].low, at);
+    EXPECT_GE(law.parameters[1].high, at);
+    EXPECT_LT(law.parameters[1].high - law.parameters[1].low, 5);
   }
 }
 
