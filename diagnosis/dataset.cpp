@@ -15,7 +15,7 @@ std::shared_ptr<const Record> record(const MeasuredData& data, const Reading& re
     if (value) result.columns.push_back({name, *value});
   };
   add("order", order);
-  add("run", static_cast<double>(reading.run));
+  add("run", static_cast<double>(reading.run + 1));
   add("sheath_angle_rad", reading.sheath_angle_rad);
   for (std::size_t c = 0; c < data.covariates.size(); ++c) {
     add(data.covariates[c], reading.covariates[c]);

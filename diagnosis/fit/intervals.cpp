@@ -214,13 +214,15 @@ std::vector<std::vector<ParameterInterval>> parameter_intervals(const Problem& p
       const Range range = parameters[p].range;
       const Spread spread = spreads(column);
       const double width = spread.half_width();
-      const auto bound = [&](double end) {
-        if (!std::isfinite(width)) return farthest_place(problem, model, e, p, end, most_misfit);
-        return std::clamp(effect.values[p] + std::copysign(width, end - effect.values[p]),
-                          range.low, range.high);
-      };
-      result[e].push_back(
-          {bound(range.low), bound(range.high), spread.deviation, spread.degrees});
+      const double value = effect.values[p];
+      ParameterInterval interval{std::max(range.low, value - width),
+                                 std::min(range.high, value + width), spread.deviation,
+                                 spread.degrees};
+      if (!std::isfinite(width)) {
+        interval.low = farthest_place(problem, model, e, p, range.low, most_misfit);
+        interval.high = farthest_place(problem, model, e, p, range.high, most_misfit);
+      }
+      result[e].push_back(interval);
     }
   }
   return result;

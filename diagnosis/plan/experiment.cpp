@@ -122,7 +122,7 @@ std::shared_ptr<const Record> record_of(const ExperimentPlan& plan, const Planne
     columns.push_back({plan.columns[c].name, reading.columns[c]});
   }
   columns.push_back({"order", reading.conditions.order});
-  columns.push_back({"run", static_cast<double>(reading.run)});
+  columns.push_back({"run", static_cast<double>(reading.run + 1)});
   if (plan.sheath_angle_rad) columns.push_back({"sheath_angle_rad", *reading.sheath_angle_rad});
   return std::make_shared<const Record>(
       Record{std::to_string(reading.run + 1), "", std::move(columns)});
@@ -156,7 +156,7 @@ std::vector<SurveyedColumn> surveyed_columns(const ExperimentPlan& plan) {
   add("sheath_angle_rad", plan.sheath_angle_rad);
   for (const PlannedColumn& column : plan.columns) add(column.name, column.levels);
   columns.push_back({"order", {0, 1}});
-  columns.push_back({"run", {0, static_cast<double>(plan.runs - 1)}});
+  columns.push_back({"run", {1, static_cast<double>(plan.runs)}});
   return columns;
 }
 

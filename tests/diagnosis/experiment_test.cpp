@@ -158,7 +158,7 @@ TEST(Experiment, ChangesAFurtherColumnFromReadingToReadingOrFromRunToRun) {
     EXPECT_EQ(recorded(reading, "humidity_pct"), reading.columns[0]);
     EXPECT_EQ(recorded(reading, "liner"), reading.columns[2]);
     EXPECT_EQ(reading.conditions.record->run, std::to_string(reading.run + 1));
-    EXPECT_EQ(recorded(reading, "run"), static_cast<double>(reading.run));
+    EXPECT_EQ(recorded(reading, "run"), static_cast<double>(reading.run + 1));
     EXPECT_EQ(recorded(reading, "order"), reading.conditions.order);
   }
   std::set<double> supplies;
