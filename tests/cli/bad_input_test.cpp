@@ -50,6 +50,9 @@ TEST(BadCarriages, AreNamedWithTheMotorsThatThereAre) {
       {"show 1x-M+2x-M2 --held none@1,-1", "a finger would have to open"},
       {"rank M-1-M2 M-1-M --grasps none@1,1", "'@1,1': expected no travels of carriages"},
       {"explore --fingers 2 --grasps none@1,1", "'@1,1': expected no travels of carriages"},
+      {"simulate --routings M-1-M2",
+       "--routings 'M-1-M2': it has 2 motors, and a reading one motor tension: expected a routing "
+       "of one motor"},
       {"rank 1x-M+2x-M2 M-1-T-2-F --hardware " REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml",
        "routing '1x-M+2x-M2': it has 2 motors, and the forces of a hand are computed for one: "
        "expected hardware without joints, or a routing of one motor"},
