@@ -386,8 +386,8 @@ Order RankingFlags::read_order() const {
   return {for_name("--", [&] { return parse_objectives(objectives); }), by_score};
 }
 
-GraspSet RankingFlags::read_grasps(int fingers) const {
-  return for_name("--", [&] { return parse_grasps(grasps, fingers); });
+GraspSet RankingFlags::read_grasps(int fingers, int motors) const {
+  return for_name("--", [&] { return parse_grasps(grasps, fingers, motors); });
 }
 
 void read_vary(const VaryTable& table, SizingOptions& options) {

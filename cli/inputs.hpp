@@ -199,7 +199,7 @@ struct RankingFlags {
   int threads = 0;
 
   void add_to(CLI::App& command);
-  GraspSet read_grasps(int fingers) const;
+  GraspSet read_grasps(int fingers, int motors = 1) const;
   bool has_grasps() const { return grasps_given_->count() > 0; }
   Score read_score() const;
   // By the score alone if it is given and the objectives are not.

@@ -4,6 +4,7 @@
 #include <array>
 #include <compare>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -28,7 +29,9 @@ using Signature = std::vector<Rank>;
 
 Rank shape_code(const Token& token) {
   const auto kind = static_cast<Rank>(token.kind);
-  return ((kind * 2 + static_cast<Rank>(token.tip)) << 16) + token.arms.left;
+  const Rank part =
+      (kind * 2 + static_cast<Rank>(token.tip)) * (max_carriages + 1) + token.carriage;
+  return (part << 16) + token.arms.left;
 }
 
 template <typename Key>
@@ -324,13 +327,40 @@ int symmetries(const Tendon& tendon) {
 
 bool same_shape(const Tendon& a, const Tendon& b) { return compare_shapes(a, b) == 0; }
 
-Routing canonical(const Routing& routing, FingerIdentity identity) {
+namespace {
+
+// The canonical form in which every motor keeps its number.
+Routing canonical_as_numbered(const Routing& routing, FingerIdentity identity) {
   std::vector<Tree> trees = canonical_trees(routing, identity);
   std::sort(trees.begin(), trees.end(), precedes);
   Routing result;
   for (Tree& tree : trees) append(std::move(tree), result);
   if (identity == FingerIdentity::identical) number_fingers_in_order(result);
   return result;
+}
+
+Routing with_carriages(Routing routing, const std::vector<std::uint8_t>& number) {
+  for (Tendon& tendon : routing.tendons) {
+    for (Token& token : tendon.walk) {
+      if (is_on_carriage(token.kind)) token.carriage = number[token.carriage - std::size_t{1}];
+    }
+  }
+  return routing;
+}
+
+}  // namespace
+
+// There are at most 6! ways to number the motors.
+Routing canonical(const Routing& routing, FingerIdentity identity) {
+  Routing least = canonical_as_numbered(routing, identity);
+  if (identity == FingerIdentity::distinct) return least;
+  std::vector<std::uint8_t> number(static_cast<std::size_t>(carriage_count(routing)));
+  std::iota(number.begin(), number.end(), std::uint8_t{1});
+  while (std::next_permutation(number.begin(), number.end())) {
+    Routing other = canonical_as_numbered(with_carriages(routing, number), identity);
+    if (precedes(other.tendons, least.tendons)) least = std::move(other);
+  }
+  return least;
 }
 
 }  // namespace reeve::core

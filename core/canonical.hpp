@@ -2,11 +2,11 @@
 //
 // Routings that differ only by swapping the two strands of a finger, by walking a tendon backwards,
 // by where a loop is entered, by the order of the tendons, by the numbers of the blocks, or (for
-// identical fingers) by the numbers of the fingers, are one routing. The canonical form is the
-// least of them in this order:
+// identical fingers) by the numbers of the fingers and of the motors, are one routing. The
+// canonical form is the least of them in this order:
 //   tendons: more fingers first, open before closed, then shape, then finger numbers;
-//   shapes:  token by token, M < F < 1x < tail < becket < pivot < finger (tube tip < bearing tip)
-//            < block < bar (by its ratio) < T < B < P;
+//   shapes:  token by token, M < M2 < F < 1x < tail < becket < pivot < finger (tube tip < bearing
+//            tip) < block < bar (by its ratio) < T < B < P < P2;
 // and, for identical fingers, fingers numbered in the order in which the word passes them. Tendons
 // that blocks tie together are one tree and stay side by side, in the order of canonical_tree.hpp.
 #pragma once
@@ -16,8 +16,8 @@
 namespace reeve::core {
 
 enum class FingerIdentity {
-  identical,  // fingers may be renamed: M-1-P-2-F is M-2-P-1-F
-  distinct,   // every finger is itself
+  identical,  // fingers may be renamed: M-1-P-2-F is M-2-P-1-F; motors likewise
+  distinct,   // every finger, and every motor, is itself
 };
 
 // Whether no other way to walk this tendon (backwards, or from another finger of a loop) comes

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/routing.hpp"
 
 namespace reeve::core {
 namespace {
@@ -28,6 +28,8 @@ bool read(const std::string& text, Number& number) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return error == std::errc{} && end == text.data() + text.size();
 }
+
+constexpr double most_travel = 100;
 
 struct ReadGrasp {
   Grasp grasp;
@@ -57,16 +59,53 @@ ReadGrasp read_grasp(const std::string& text, int fingers) {
 }
 
 // `where` is what the user gave, for the message.
-Grasp require_grasp(const std::string& text, int fingers, const std::string& where) {
-  ReadGrasp read = read_grasp(text, fingers);
+CarriageTravels require_travels(const std::string& text, int motors, const std::string& where) {
+  if (motors < 2) {
+    throw InputError({.where = where,
+                      .value = "@" + text,
+                      .expected =
+                          "no travels of carriages: they are for one routing, or several of "
+                          "the same number of motors, with more than one motor"});
+  }
+  CarriageTravels travels;
+  bool any_pulls = false;
+  bool all_read = true;
+  for (const std::string& item : split(text, ',')) {
+    if (travels.given == motors) {
+      all_read = false;
+      break;
+    }
+    double& travel = travels.over_D[travels.given++];
+    all_read &= read(item, travel) && std::abs(travel) <= most_travel;
+    any_pulls |= travel > 0;
+  }
+  if (!all_read || travels.given < motors || !any_pulls) {
+    throw InputError({.where = where,
+                      .value = "@" + text,
+                      .expected = fmt::format("{} travels from -{} to {}, one of each motor's "
+                                              "carriage and one at least above 0, such as {}",
+                                              motors, most_travel, most_travel,
+                                              motors == 2 ? "@1,-1" : "@1,0.5,0")});
+  }
+  return travels;
+}
+
+// `where` is what the user gave, for the message.
+Grasp require_grasp(const std::string& text, int fingers, int motors, const std::string& where) {
+  const std::size_t travels = text.find('@');
+  ReadGrasp read = read_grasp(text.substr(0, travels), fingers);
   if (read.fault) throw InputError(std::move(*read.fault)).at(where);
+  if (travels != std::string::npos) {
+    read.grasp.carriages = require_travels(text.substr(travels + 1), motors, where);
+  }
   return read.grasp;
 }
 
-WeightedGrasp parse_weighted(const std::string& item, const std::string& text, int fingers) {
+WeightedGrasp parse_weighted(const std::string& item, const std::string& text, int fingers,
+                             int motors) {
   const std::vector<std::string> parts = split(item, ':');
   const std::string where = fmt::format("grasps '{}'", text);
-  WeightedGrasp result{require_grasp(parts[0], fingers, where), 1};
+  WeightedGrasp result{require_grasp(parts[0], fingers, motors, where), 1};
   if (parts.size() == 1) return result;
   if (parts.size() > 2 || !read(parts[1], result.weight) || !(result.weight >= 1e-6) ||
       !(result.weight <= 1e6)) {
@@ -77,7 +116,7 @@ WeightedGrasp parse_weighted(const std::string& item, const std::string& text, i
   return result;
 }
 
-double weight_of(Grasp grasp, const GraspSet& grasps) {
+double weight_of(const Grasp& grasp, const GraspSet& grasps) {
   double weight = 0;
   for (const WeightedGrasp& weighted : grasps) {
     if (weighted.grasp == grasp) weight += weighted.weight;
@@ -101,7 +140,7 @@ Grasp hold(const std::vector<int>& fingers) {
   return grasp;
 }
 
-std::vector<int> held_fingers(Grasp grasp) {
+std::vector<int> held_fingers(const Grasp& grasp) {
   std::vector<int> fingers;
   for (int finger = 1; finger <= max_fingers; ++finger) {
     if (grasp.holds(finger)) fingers.push_back(finger);
@@ -109,8 +148,16 @@ std::vector<int> held_fingers(Grasp grasp) {
   return fingers;
 }
 
-std::string to_text(Grasp grasp) {
-  return grasp.held == 0 ? "none" : fmt::format("{}", fmt::join(held_fingers(grasp), ","));
+std::vector<double> carriage_travels(const Grasp& grasp) {
+  const auto* const first = grasp.carriages.over_D.begin();
+  return {first, first + grasp.carriages.given};
+}
+
+std::string to_text(const Grasp& grasp) {
+  std::string text =
+      grasp.held == 0 ? "none" : fmt::format("{}", fmt::join(held_fingers(grasp), ","));
+  if (grasp.carriages.given == 0) return text;
+  return text + fmt::format("@{}", fmt::join(carriage_travels(grasp), ","));
 }
 
 std::optional<Grasp> grasp_named(const std::string& text, int fingers) {
@@ -118,8 +165,8 @@ std::optional<Grasp> grasp_named(const std::string& text, int fingers) {
   return read.fault ? std::nullopt : std::optional(read.grasp);
 }
 
-Grasp parse_grasp(const std::string& text, int fingers) {
-  return require_grasp(text, fingers, fmt::format("held '{}'", text));
+Grasp parse_grasp(const std::string& text, int fingers, int motors) {
+  return require_grasp(text, fingers, motors, fmt::format("held '{}'", text));
 }
 
 GraspSet single_grasps(int fingers) {
@@ -144,13 +191,13 @@ GraspSet all_grasps(int fingers) {
 
 GraspSet paper_grasps() { return {{hold({1}), 1}}; }
 
-GraspSet parse_grasps(const std::string& text, int fingers) {
+GraspSet parse_grasps(const std::string& text, int fingers, int motors) {
   if (text == "single") return single_grasps(fingers);
   if (text == "all") return all_grasps(fingers);
   if (text == "paper") return paper_grasps();
   GraspSet grasps;
   for (const std::string& item : split(text, '/')) {
-    const WeightedGrasp grasp = parse_weighted(item, text, fingers);
+    const WeightedGrasp grasp = parse_weighted(item, text, fingers, motors);
     if (weight_of(grasp.grasp, grasps) > 0) {
       throw InputError({.where = fmt::format("grasps '{}'", text),
                         .what = fmt::format("'{}' is given twice", to_text(grasp.grasp))});

@@ -57,6 +57,24 @@ void FingerLedger::require_no_gap() const {
   }
 }
 
+void CarriageLedger::pass(const PlacedWalk& walk) {
+  for (const PlacedToken& placed : walk) {
+    if (!is_on_carriage(placed.token.kind)) continue;
+    named_[placed.token.carriage] = true;
+    highest_ = std::max<int>(highest_, placed.token.carriage);
+  }
+}
+
+void CarriageLedger::require_no_gap() const {
+  for (int motor = 1; motor < highest_; ++motor) {
+    if (named_[static_cast<std::size_t>(motor)]) continue;
+    const std::string number = motor == 1 ? "" : std::to_string(motor);
+    word_.fail({.what = fmt::format("motor {} is missing (M{} or P{}); motors are numbered 1 to {} "
+                                    "without a gap",
+                                    motor, number, number, highest_)});
+  }
+}
+
 void BlockLedger::pass(const PlacedWalk& walk) {
   for (const PlacedToken& placed : walk) {
     if (!is_of_block(placed.token.kind)) continue;

@@ -1,5 +1,5 @@
-// What all walks of a word must add up to: fingers without a gap, each once; blocks and bars that
-// are whole and do not hang on themselves.
+// What all walks of a word must add up to: fingers without a gap, each once; motors without a
+// gap; blocks and bars that are whole and do not hang on themselves.
 #pragma once
 
 #include <array>
@@ -19,6 +19,19 @@ class FingerLedger {
  private:
   Word word_;
   std::array<bool, max_fingers + 1> passed_{};
+  int highest_ = 0;
+};
+
+class CarriageLedger {
+ public:
+  explicit CarriageLedger(const Word& word) : word_(word) {}
+
+  void pass(const PlacedWalk& walk);
+  void require_no_gap() const;  // throws InputError
+
+ private:
+  Word word_;
+  std::array<bool, max_carriages + 1> named_{};
   int highest_ = 0;
 };
 

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/network.hpp"
@@ -18,6 +19,14 @@ struct MotorSide {
 
 // In walk order.
 std::vector<MotorSide> motor_sides(const Network& network);
+
+// Number of motors, and M, M2, … of one.
+int carriage_count(const Network& network);
+std::string motor_name(int carriage);
+
+// Tension of each motor, the sum over the segments on its carriage, in the unit of `tension`, which
+// is parallel to the network's segments.
+std::vector<double> motor_tensions(const Network& network, const std::vector<double>& tension);
 
 // The motor-side segment whose sheath leads to that strand, if it has one.
 std::optional<Segment> motor_side_at(const Network& network, const Segment& strand);

@@ -77,7 +77,9 @@ class Expansion {
     }
   }
 
-  void add_motor_side() { net_.segments.push_back({SegmentKind::motor_side, ++motor_side_, 0}); }
+  void add_motor_side(const Token& token) {
+    net_.segments.push_back({SegmentKind::motor_side, ++motor_side_, 0, token.carriage});
+  }
 
   void add_sheath(int finger) {
     net_.contacts.push_back({ContactKind::sheath, ContactPlace::sheath, finger});
@@ -88,11 +90,11 @@ class Expansion {
     switch (token.kind) {
       case TokenKind::motor_end:
         if (i == 0) {
-          add_motor_side();
+          add_motor_side(token);
           add_sheath(finger_of(behind(tendon, i)));
         } else {
           add_sheath(finger_of(tendon.walk[i - 1]));
-          add_motor_side();
+          add_motor_side(token);
         }
         break;
       case TokenKind::fixed_end:
@@ -121,9 +123,9 @@ class Expansion {
         break;
       case TokenKind::movable_pulley:
         add_sheath(finger_of(tendon.walk[i - 1]));
-        add_motor_side();
+        add_motor_side(token);
         net_.contacts.push_back({ContactKind::bearing, ContactPlace::carriage, 0});
-        add_motor_side();
+        add_motor_side(token);
         add_sheath(finger_of(behind(tendon, i)));
         break;
     }

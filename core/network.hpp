@@ -5,7 +5,7 @@
 //   finger  tip contact (tube or bearing) between its strands T(2f-1), by which the walk enters,
 //           and T(2f), by which it leaves
 //   T, B    tube or bearing contact between the neighbouring segments
-//   M       a motor-side segment, behind a sheath contact
+//   M       a motor-side segment, behind a sheath contact; M2 on another motor's carriage
 //   P       sheath – motor-side segment – bearing contact – motor-side segment – sheath
 //   F, 1x   nothing: the neighbouring segment just ends
 //   Y1      inside a walk: a contact on the block, between the neighbouring segments
@@ -33,10 +33,11 @@ enum class SegmentKind : std::uint8_t { strand, motor_side, hand };
 
 struct Segment {
   SegmentKind kind = SegmentKind::strand;
-  int number = 0;  // strands: 2f-1 or 2f; otherwise counted from 1 within the kind
-  int finger = 0;  // strands only
+  int number = 0;    // strands: 2f-1 or 2f; otherwise counted from 1 within the kind
+  int finger = 0;    // strands only
+  int carriage = 1;  // motor sides only: the motor's number
 
-  // The finger follows from these.
+  // Finger and carriage follow from these.
   friend bool operator==(const Segment& a, const Segment& b) {
     return a.kind == b.kind && a.number == b.number;
   }

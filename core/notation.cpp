@@ -85,6 +85,7 @@ class WordParser {
 
  private:
   Token read_finger(const PlacedText& at) const;
+  Token read_on_carriage(const PlacedText& at, TokenKind kind) const;
   int block_number(const PlacedText& at, const NumberedText& read) const;
   Token read_block(const PlacedText& at, TokenPlace place) const;
   Token read_bar(const PlacedText& at, TokenPlace place) const;
@@ -112,6 +113,18 @@ Token WordParser::read_finger(const PlacedText& at) const {
   }
   if (read.suffix == "x") return anchored_tip(*read.number);
   return finger(*read.number, read.suffix == "b" ? TipKind::bearing : TipKind::tube);
+}
+
+Token WordParser::read_on_carriage(const PlacedText& at, TokenKind kind) const {
+  const NumberedText read = read_number(at.text.substr(1), max_carriages);
+  if (!read.number || *read.number < 2 || !read.suffix.empty()) {
+    word_.fail(at,
+               {.value = shown_text(at.text),
+                .expected = fmt::format("{} alone for the first motor, or the number of another "
+                                        "motor behind it, from 2 to {}",
+                                        at.text[0], max_carriages)});
+  }
+  return on_carriage(kind, *read.number);
 }
 
 int WordParser::block_number(const PlacedText& at, const NumberedText& read) const {
@@ -165,7 +178,9 @@ Token WordParser::read_bar(const PlacedText& at, TokenPlace place) const {
 
 Token WordParser::read_token(const PlacedText& at, TokenPlace place) const {
   for (const auto& [letter, kind] : letters) {
-    if (at.text.size() == 1 && at.text[0] == letter) return plain(kind);
+    if (at.text.empty() || at.text[0] != letter) continue;
+    if (at.text.size() == 1) return plain(kind);
+    if (is_on_carriage(kind) && is_digit(at.text[1])) return read_on_carriage(at, kind);
   }
   const bool numbered = at.text.size() > 1 && is_digit(at.text[1]);
   if (!at.text.empty() && is_digit(at.text[0])) return read_finger(at);
@@ -269,6 +284,7 @@ Routing WordParser::parse() const {
   routing.tendons.reserve(
       1 + static_cast<std::size_t>(std::count(word_.text.begin(), word_.text.end(), '+')));
   FingerLedger fingers(word_);
+  CarriageLedger carriages(word_);
   BlockLedger blocks(word_);
   std::size_t at = 0;
   while (true) {
@@ -276,11 +292,13 @@ Routing WordParser::parse() const {
     PlacedWalk walk = read_walk(at, plus);
     routing.tendons.push_back(read_tendon(walk));
     fingers.pass(walk);
+    carriages.pass(walk);
     blocks.pass(walk);
     if (plus == word_.text.size()) break;
     at = plus + 1;
   }
   fingers.require_no_gap();
+  carriages.require_no_gap();
   blocks.require_whole(routing);
   return routing;
 }
@@ -289,6 +307,7 @@ void print_token(std::string& word, const Token& token) {
   for (const auto& [letter, kind] : letters) {
     if (kind == token.kind) word += letter;
   }
+  if (is_on_carriage(token.kind) && token.carriage > 1) word += std::to_string(token.carriage);
   if (is_of_finger(token.kind)) word += fmt::format_int(token.finger).c_str();
   if (token.kind == TokenKind::anchored_tip) word += 'x';
   if (token.tip == TipKind::bearing) word += 'b';

@@ -3,9 +3,10 @@
 //   routing = tendon { "+" tendon }
 //   tendon  = end "-" { finger | join "-" } end        an open walk
 //           | finger "-" join { "-" … } "-" finger     a loop: back to its first finger
-//   end     = "M" | "F" | number "x" | block | block "k" | bar
-//   join    = "T" | "B" | "P" | block | bar [ "/" number ":" number ]
+//   end     = "M" [ motor ] | "F" | number "x" | block | block "k" | bar
+//   join    = "T" | "B" | "P" [ motor ] | block | bar [ "/" number ":" number ]
 //   finger  = number [ "b" ]      block = "Y" number      bar = "W" number
+//   motor   = "2" … "6"                                the first motor has no number
 //
 // Two fingers need a join between them. Joins and ends may stand side by side; the stretch of
 // tendon between them is then a stretch at the hand (h1, h2, …), so that a test bench such as `M-F`

@@ -68,7 +68,10 @@ StrandTally strand_tally(const Network& network, const TensionState& state, Dire
     if (segment.kind != SegmentKind::strand) continue;
     tally.add(state.tension[i], state.closing[static_cast<std::size_t>(segment.finger - 1)]);
   }
-  if (direction == Direction::release && tally.work > 0) tally.work = 1 / tally.work;
+  const bool pull = direction == Direction::pull;
+  const double gained = pull ? tally.work : state.motor_work;
+  const double spent = pull ? state.motor_work : tally.work;
+  tally.work = spent > 0 ? gained / spent : 0;
   return tally;
 }
 

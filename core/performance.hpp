@@ -4,7 +4,8 @@
 //   finger uniformity   min_f P_f / max_f P_f over the fingers, P_f the sum of the finger's
 //   strands:
 //                       what to use where some fingers have one strand (1x) and some two
-//   motor efficiency    Σ_i T_i dl_i / (T_M D): useful work over motor work
+//   motor efficiency    Σ_i T_i dl_i / Σ_c T_Mc D_c: useful work over the work of all motors c,
+//                       T_M D of one
 //                       (releasing, the inverse: how much of the fingers' work the motor gets)
 //   force transmission  Σ_i T_i / T_M over the strands
 //
@@ -56,7 +57,7 @@ struct StrandTally {
   double least = std::numeric_limits<double>::infinity();
   double most = 0;
   double sum = 0;
-  double work = 0;  // per unit of carriage travel
+  double work = 0;  // per unit of travel; where it is a performance, over the motors' work
 
   void add(double tension, double closing) {
     least = std::min(least, tension);

@@ -71,6 +71,16 @@ std::vector<std::size_t> trees(const Routing& routing) {
   return tree;
 }
 
+int carriage_count(const Routing& routing) {
+  int count = 0;
+  for (const Tendon& tendon : routing.tendons) {
+    for (const Token& token : tendon.walk) {
+      if (is_on_carriage(token.kind)) count = std::max<int>(count, token.carriage);
+    }
+  }
+  return count;
+}
+
 bool is_actuated(const Tendon& tendon) {
   return std::any_of(tendon.walk.begin(), tendon.walk.end(),
                      [](const Token& token) { return is_on_carriage(token.kind); });

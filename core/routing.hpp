@@ -1,10 +1,10 @@
-// A routing: how one motor's tendons are led through the fingers of a hand.
+// A routing: how the tendons of one or several motors are led through the fingers of a hand.
 //
 // A routing is a set of tendons, and a tendon is the walk of tokens that a person follows along it
 // with a finger: ends (M, F, 1x), fingers (1, 2, …) and joins at the hand (T, B) or on the carriage
-// (P). Floating blocks (Y1, Y2, …) and bars (W1, …) hang on some tendons and are pulled by others:
-// they tie tendons together. Values only; notation.hpp reads and writes them, network.hpp expands
-// them to segments and contacts.
+// (P). M2 and P2 are those of a second motor, and so on. Floating blocks (Y1, Y2, …) and bars (W1,
+// …) hang on some tendons and are pulled by others: they tie tendons together. Values only;
+// notation.hpp reads and writes them, network.hpp expands them to segments and contacts.
 #pragma once
 
 #include <boost/container/small_vector.hpp>
@@ -50,11 +50,16 @@ struct Token {
   std::uint8_t finger = 0;      // fingers and anchored tips only, from 1
   std::uint8_t block = 0;       // blocks and bars only, from 1
   ArmRatio arms = {};           // bar_arms only
+  std::uint8_t carriage = 1;    // motor's number, from 1; of tokens on a carriage only
 
   friend bool operator==(const Token&, const Token&) = default;
 };
 
 constexpr Token plain(TokenKind kind) { return {kind}; }
+// motor_end or movable_pulley on the carriage of the motor with this number.
+constexpr Token on_carriage(TokenKind kind, int number) {
+  return {kind, TipKind::tube, 0, 0, {}, static_cast<std::uint8_t>(number)};
+}
 constexpr Token motor_end() { return plain(TokenKind::motor_end); }
 constexpr Token fixed_end() { return plain(TokenKind::fixed_end); }
 constexpr Token finger(int number, TipKind tip = TipKind::tube) {
@@ -130,6 +135,9 @@ constexpr std::size_t block_key(const Token& token) {
   return (is_of_bar(token.kind) ? max_blocks : 0) + token.block - std::size_t{1};
 }
 
+// Motors: the largest hands in print have a motor for each finger and one for the thumb's side.
+inline constexpr int max_carriages = 6;
+
 int finger_count(const Routing& routing);
 int finger_count(const Tendon& tendon);
 // Blocks and bars.
@@ -143,8 +151,11 @@ BlockCount block_count(const Routing& routing);
 // the first tendons.
 std::vector<std::size_t> trees(const Routing& routing);
 
+// Number of motors. Their carriages are numbered 1 … n without a gap.
+int carriage_count(const Routing& routing);
+
 bool is_actuated(const Tendon& tendon);
-// Every tree hangs on the motor.
+// Every tree hangs on a motor.
 bool is_actuated(const Routing& routing);
 
 }  // namespace reeve::core

@@ -54,6 +54,7 @@ void for_each_image(const Tendon& tendon, Visit visit) {
 inline std::strong_ordering compare_shapes(const Token& a, const Token& b) {
   if (const auto kind = a.kind <=> b.kind; kind != 0) return kind;
   if (const auto tip = a.tip <=> b.tip; tip != 0) return tip;
+  if (const auto motor = a.carriage <=> b.carriage; motor != 0) return motor;
   return a.arms <=> b.arms;
 }
 

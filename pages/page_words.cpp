@@ -44,13 +44,19 @@ std::string four_digits(double value) {
 
 std::string grasp_words(Grasp grasp) {
   const std::vector<int> held = held_fingers(grasp);
-  if (held.empty()) return "no finger held";
-  return fmt::format("finger{} {} held", held.size() > 1 ? "s" : "", fmt::join(held, ", "));
+  const std::vector<double> travels = carriage_travels(grasp);
+  const std::string carriages =
+      travels.empty() ? "" : fmt::format(", carriages travel {}", fmt::join(travels, ", "));
+  if (held.empty()) return "no finger held" + carriages;
+  return fmt::format("finger{} {} held{}", held.size() > 1 ? "s" : "", fmt::join(held, ", "),
+                     carriages);
 }
 
 std::string grasp_id(Grasp grasp) {
   const std::vector<int> held = held_fingers(grasp);
-  return held.empty() ? "held-none" : fmt::format("held-{}", fmt::join(held, "-"));
+  std::string id = held.empty() ? "held-none" : fmt::format("held-{}", fmt::join(held, "-"));
+  for (const double travel : carriage_travels(grasp)) id += fmt::format("_{}", travel);
+  return id;
 }
 
 std::vector<std::string> labels(const std::vector<NamedRouting>& routings) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/motor_sides.hpp"
 #include "core/text.hpp"
 #include "drawing/schematic/schematic_svg.hpp"
 #include "pages/figures.hpp"
@@ -65,12 +66,21 @@ HtmlTable tension_table(const ShownRouting& report) {
   for (const Segment& segment : report.network.segments) {
     table.columns.push_back(number_column(segment_name(segment)));
   }
+  const int motors = carriage_count(report.network);
+  for (int motor = 1; motors > 1 && motor <= motors; ++motor) {
+    table.columns.push_back(number_column(motor_name(motor)));
+  }
   for (const char* figure : {"uniformity", "efficiency", "force transmission"}) {
     table.columns.push_back(number_column(figure));
   }
   for (const ShownGrasp& shown : report.grasps) {
     std::vector<std::string> cells{heading(shown)};
     for (const double tension : shown.state.tension) cells.push_back(fixed(tension));
+    if (motors > 1) {
+      for (const double tension : motor_tensions(report.network, shown.state.tension)) {
+        cells.push_back(fixed(tension));
+      }
+    }
     for (const double figure : {shown.performance.uniformity, shown.performance.efficiency,
                                 shown.performance.force_transmission}) {
       cells.push_back(fixed(figure));

@@ -80,6 +80,12 @@ class RoutingTable {
     for (std::size_t i = 0; i < routings_.size(); ++i) {
       if (routings_[i].routing == routing) return i;
     }
+    if (const int motors = carriage_count(routing); motors > 1) {
+      throw InputError(
+          {.where = fmt::format("routing '{}'", to_word(routing)),
+           .what = fmt::format("it has {} motors, and a row one motor tension", motors),
+           .expected = "a routing of one motor"});
+    }
     MeasuredRouting measured{to_word(routing), routing, expand(routing), {}};
     require_actuated(measured.network, measured.word);
     of_columns_.push_back(channels_of_columns(measured.network));

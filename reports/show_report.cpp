@@ -35,6 +35,10 @@ void for_each_contact(const Network& network, Visit visit) {
 
 Json grasp_json(const Network& network, const ShownGrasp& shown) {
   Json json{{"held", held_fingers(shown.grasp)}, {"jams", shown.state.jams}};
+  add_carriages(json, shown.grasp);
+  if (carriage_count(network) > 1) {
+    json["motors"] = list_json(motor_tensions(network, shown.state.tension), number);
+  }
   json["tensions"] = Json::object();
   json["shares"] = Json::object();
   for (std::size_t i = 0; i < network.segments.size(); ++i) {
@@ -82,12 +86,21 @@ Table tension_table(const ShownRouting& report) {
   for (const Segment& segment : report.network.segments) {
     table.columns.push_back(number_column(segment_name(segment), "N/N"));
   }
+  const int motors = carriage_count(report.network);
+  for (int motor = 1; motors > 1 && motor <= motors; ++motor) {
+    table.columns.push_back(number_column(motor_name(motor), "N/N"));
+  }
   for (const char* figure : {"uniformity", "efficiency", "force"}) {
     table.columns.push_back(number_column(figure));
   }
   for (const ShownGrasp& shown : report.grasps) {
     std::vector<std::string> cells{held_text(shown)};
     for (const double tension : shown.state.tension) cells.push_back(fixed(tension));
+    if (motors > 1) {
+      for (const double tension : motor_tensions(report.network, shown.state.tension)) {
+        cells.push_back(fixed(tension));
+      }
+    }
     cells.push_back(fixed(shown.performance.uniformity));
     cells.push_back(fixed(shown.performance.efficiency));
     cells.push_back(fixed(shown.performance.force_transmission));
@@ -145,20 +158,26 @@ Table objective_list(const ShownRouting& report) {
   return table;
 }
 
-// "a at T1, b at T4": which letter is where, since letters run in walk order.
+// "a at T1, b at T4": which letter is where, since letters run in walk order; of several motors
+// "a at T1 (M), b at T4 (M2)".
 std::string letter_key(const Network& network) {
+  const bool several = carriage_count(network) > 1;
   std::string key;
   for (const MotorSide& side : motor_sides(network)) {
     key += (key.empty() ? "" : ", ") + segment_name(network.segments[side.motor_side]) + " at " +
            segment_name(network.segments[side.hand]);
+    if (several) key += " (" + motor_name(network.segments[side.motor_side].carriage) + ")";
   }
   return key;
 }
 
 Json letter_key_json(const Network& network) {
+  const bool several = carriage_count(network) > 1;
   return list_json(motor_sides(network), [&](const MotorSide& side) {
-    return Json{{"segment", segment_name(network.segments[side.motor_side])},
-                {"beside", segment_name(network.segments[side.hand])}};
+    Json json{{"segment", segment_name(network.segments[side.motor_side])},
+              {"beside", segment_name(network.segments[side.hand])}};
+    if (several) json["motor"] = network.segments[side.motor_side].carriage;
+    return json;
   });
 }
 

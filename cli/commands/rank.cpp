@@ -133,12 +133,22 @@ void write_page(const RankReport& report, const std::filesystem::path& folder,
       result_stamp(json));
 }
 
+// The number of motors that all routings have, or 1.
+int common_carriage_count(const std::vector<Routing>& routings) {
+  const int first = carriage_count(routings.front());
+  const bool is_common = std::all_of(routings.begin(), routings.end(), [&](const Routing& routing) {
+    return carriage_count(routing) == first;
+  });
+  return is_common ? first : 1;
+}
+
 RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
   RankRequest request;
   request.routings = inputs.routings;
   request.model = inputs.file.model;
   request.ranges = inputs.file.uncertainty;
-  request.grasps = flags.ranking.read_grasps(finger_count(inputs.routings.front()));
+  request.grasps = flags.ranking.read_grasps(finger_count(inputs.routings.front()),
+                                             common_carriage_count(inputs.routings));
   request.order = flags.ranking.read_order();
   request.score = flags.ranking.read_score();
   require_hand_for("--objectives", request.order.objectives, request.model.hardware);

@@ -34,11 +34,13 @@ struct ShowFlags {
   FormatOption format;
 };
 
-GraspSet grasps(const ShowFlags& flags, int fingers) {
+GraspSet grasps(const ShowFlags& flags, const Routing& routing) {
+  const int fingers = finger_count(routing);
   if (flags.held.empty()) return single_grasps(fingers);
   GraspSet grasps;
   for (const std::string& held : flags.held) {
-    const Grasp grasp = for_name("--", [&] { return parse_grasp(held, fingers); });
+    const Grasp grasp =
+        for_name("--", [&] { return parse_grasp(held, fingers, carriage_count(routing)); });
     for (const WeightedGrasp& other : grasps) {
       if (other.grasp == grasp) throw InputError("--held " + held + " is given twice");
     }
@@ -69,7 +71,7 @@ ShownRouting report(const ShowFlags& flags) {
   require_contacts_to_match(model.hardware, {routing});
   require_known_fingers(model.hardware, finger_count(routing));
   const Direction direction = flags.direction == "pull" ? Direction::pull : Direction::release;
-  const GraspSet asked = grasps(flags, finger_count(routing));
+  const GraspSet asked = grasps(flags, routing);
   ShownRouting shown =
       shown_routing(routing, model, asked, direction, catalogue, flags.prices.read());
   if (shown.hand) shown.hand->drawn = motor_force(routing, {model, file.uncertainty, asked, {}});
@@ -160,9 +162,11 @@ void add_options(CLI::App& command, ShowFlags& flags) {
           ->needs(like);
   like->needs(fingers);
   command
-      .add_option("--held", flags.held,
-                  "Fingers that are held, such as 1 or 1,2, or none; once for each grasp "
-                  "(default: none held and each one finger held)")
+      .add_option(
+          "--held", flags.held,
+          "Fingers that are held, such as 1 or 1,2, or none; with travels of the carriages of "
+          "several motors none@1,-1; once for each grasp (default: none held and each "
+          "one finger held)")
       ->allow_extra_args(false);
   command.add_option("--direction", flags.direction, "Which way the carriage moves")
       ->check(CLI::IsMember({"pull", "release"}))

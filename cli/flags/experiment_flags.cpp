@@ -127,6 +127,12 @@ std::vector<PlannedRouting> read_routings(const ExperimentFlags& flags,
     const CatalogueEntry* entry = catalogue.find_name(text);
     const Routing routing =
         for_option("--routings", [&] { return read_actuated_routing(text, catalogue); });
+    if (const int motors = carriage_count(routing); motors > 1) {
+      throw InputError(
+          {.where = fmt::format("--routings '{}'", text),
+           .what = fmt::format("it has {} motors, and a reading one motor tension", motors),
+           .expected = "a routing of one motor"});
+    }
     PlannedRouting planned{"", to_word(routing), routing, expand(routing), {}};
     planned.label = entry != nullptr ? entry->name : planned.word;
     for (const PlannedRouting& other : routings) {

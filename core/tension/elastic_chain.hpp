@@ -1,7 +1,7 @@
 // Tensions along an open chain of elastic segments with given slip directions.
 //
-// Segment i has length L_i (compliance, at EA = 1) and take-up E_i >= 0; contact k between segments
-// k and k+1 has decay e^{-phi_k}. In u = ln T the tensions minimise
+// Segment i has length L_i (compliance, at EA = 1) and take-up E_i, Σ E_i >= 0; contact k between
+// segments k and k+1 has decay e^{-phi_k}. In u = ln T the tensions minimise
 //
 //   Σ_i [ L_i e^{u_i} − E_i u_i ]
 //   subject to  T_l = e^{-phi} T_r  where the tendon slides to the right,

@@ -13,7 +13,9 @@ namespace {
 constexpr double slip_tolerance = 1e-10;
 
 struct TendonTally {
-  double motor_sides = 0;
+  bool is_driven = false;  // by some carriage that does not stand still
+  bool has_motor_side = false;
+  double motor_sides = 0;     // each counts with the travel of its carriage
   double closing_weight = 0;  // each finger counts with both of its strands
 };
 
@@ -26,16 +28,22 @@ TendonTally tally(const Network& network, const TendonSpan& tendon, const Mechan
   TendonTally tally;
   for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
     const Segment& segment = network.segments[i];
-    if (segment.kind == SegmentKind::motor_side) tally.motor_sides += 1;
+    if (segment.kind == SegmentKind::motor_side) {
+      const double travel = grasp.travel(segment.carriage);
+      tally.has_motor_side = true;
+      tally.is_driven |= travel != 0;
+      tally.motor_sides += travel;
+    }
     if (closes(segment, grasp)) tally.closing_weight += closing_weight(segment, mechanics);
   }
+  if (std::abs(tally.motor_sides) < slip_tolerance) tally.motor_sides = 0;
   return tally;
 }
 
 // Pulled, the carriage stretches its own segments; released, the hand's keep their strain. Behind a
 // seized sheath a tendon has none there, and is what the carriage hangs on.
 void impose_jam(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
-                Direction direction, Motion& motion) {
+                const Grasp& grasp, Direction direction, Motion& motion) {
   const auto is_motor_side = [&](std::size_t i) {
     return network.segments[i].kind == SegmentKind::motor_side;
   };
@@ -46,7 +54,7 @@ void impose_jam(const Network& network, const TendonSpan& tendon, const Mechanic
   for (std::size_t i = tendon.first_segment; i < end; ++i) {
     motion.imposed[i] = 0;
     if (pull) {
-      motion.take_up[i] = is_motor_side(i) ? 1 : 0;
+      motion.take_up[i] = is_motor_side(i) ? grasp.travel(network.segments[i].carriage) : 0;
     } else {
       motion.take_up[i] = has_hand && is_motor_side(i) ? 0 : mechanics.length[i];
     }
@@ -57,21 +65,18 @@ void impose_jam(const Network& network, const TendonSpan& tendon, const Mechanic
 template <typename ClosingOf>
 void impose_travel(const Network& network, const TendonSpan& tendon, Grasp grasp,
                    Direction direction, ClosingOf closing_of, Motion& motion) {
-  const bool pull = direction == Direction::pull;
-  const double sign = pull ? 1 : -1;
+  const double sign = direction == Direction::pull ? 1 : -1;
   for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
     const Segment& segment = network.segments[i];
     motion.imposed[i] = 0;
-    motion.take_up[i] = 0;
     if (segment.kind == SegmentKind::motor_side) {
-      motion.imposed[i] = sign;
-      if (!pull) motion.take_up[i] = 1;
+      motion.imposed[i] = sign * grasp.travel(segment.carriage);
     } else if (closes(segment, grasp)) {
       const double dl = closing_of(segment);
       motion.imposed[i] = -sign * dl;
-      if (pull) motion.take_up[i] = dl;
       motion.closing[static_cast<std::size_t>(segment.finger - 1)] = dl;
     }
+    motion.take_up[i] = std::max(0.0, -motion.imposed[i]);
   }
 }
 
@@ -109,6 +114,12 @@ void add_circulation(const TendonSpan& tendon, double circulation, Motion& motio
     motion.slip[k] += circulation;
     if (std::abs(motion.slip[k]) < slip_tolerance) motion.slip[k] = 0;
   }
+}
+
+bool carriages_move_alike(const Network& network, const Grasp& grasp) {
+  return std::all_of(network.segments.begin(), network.segments.end(), [&](const Segment& segment) {
+    return segment.kind != SegmentKind::motor_side || grasp.travel(segment.carriage) == 1;
+  });
 }
 
 // A blocked carriage moves nothing, on no tendon.
@@ -165,7 +176,7 @@ void Kinematics::solve_tree(const Network& network, const Mechanics& mechanics, 
       impose_travel(network, tendon, grasp, direction, found, motion);
     } else {
       motion.jams[t] = 1;
-      impose_jam(network, tendon, mechanics, direction, motion);
+      impose_jam(network, tendon, mechanics, grasp, direction, motion);
     }
     settle_slip(network, tendon, mechanics, direction, motion);
   }
@@ -174,6 +185,7 @@ void Kinematics::solve_tree(const Network& network, const Mechanics& mechanics, 
 
 void Kinematics::solve_split(const Network& network, const Mechanics& mechanics, Grasp grasp,
                              Direction direction, Motion& motion) {
+  motion.undetermined = !carriages_move_alike(network, grasp);
   SplitClosing split = split_closing(network, mechanics, grasp);
   motion.block_travel = split.block_travel;
   const auto found = [&](const Segment& segment) {
@@ -183,7 +195,7 @@ void Kinematics::solve_split(const Network& network, const Mechanics& mechanics,
   for (std::size_t t = 0; t < network.tendons.size(); ++t) {
     const TendonSpan& tendon = network.tendons[t];
     if (split.jams[t] != 0) {
-      impose_jam(network, tendon, mechanics, direction, motion);
+      impose_jam(network, tendon, mechanics, grasp, direction, motion);
     } else {
       impose_travel(network, tendon, grasp, direction, found, motion);
     }
@@ -195,6 +207,30 @@ void Kinematics::solve_split(const Network& network, const Mechanics& mechanics,
   if (std::find(motion.jams.begin(), motion.jams.end(), 1) != motion.jams.end()) {
     stop_everything(motion);
   }
+}
+
+void Kinematics::solve_tendon(const Network& network, const Mechanics& mechanics,
+                              const Grasp& grasp, Direction direction, std::size_t t,
+                              Motion& motion) {
+  const TendonSpan& tendon = network.tendons[t];
+  const TendonTally sums = tally(network, tendon, mechanics, grasp);
+  if (sums.has_motor_side && !sums.is_driven) {
+    motion.slack.resize(network.tendons.size(), 0);
+    motion.slack[t] = 1;
+  }
+  if (sums.motor_sides < 0) motion.undetermined = true;
+  const bool needs_no_finger = sums.has_motor_side && sums.motor_sides == 0;
+  if (sums.closing_weight == 0 && !needs_no_finger) {
+    motion.jams[t] = 1;
+    impose_jam(network, tendon, mechanics, grasp, direction, motion);
+  } else {
+    const auto shared = [&](const Segment& segment) {
+      return sums.motor_sides * closing_weight(segment, mechanics) / sums.closing_weight;
+    };
+    impose_travel(network, tendon, grasp, direction, shared, motion);
+  }
+  accumulate_slip(tendon, motion);
+  if (tendon.closed) add_circulation(tendon, circulation(tendon, mechanics, motion), motion);
 }
 
 void Kinematics::solve(const Network& network, const Mechanics& mechanics, Grasp grasp,
@@ -219,19 +255,8 @@ void Kinematics::solve(const Network& network, const Mechanics& mechanics, Grasp
       blocked |= motion.jams[t] != 0;
       continue;
     }
-    const TendonTally sums = tally(network, tendon, mechanics, grasp);
-    if (sums.closing_weight == 0) {
-      motion.jams[t] = 1;
-      blocked = true;
-      impose_jam(network, tendon, mechanics, direction, motion);
-    } else {
-      const auto shared = [&](const Segment& segment) {
-        return sums.motor_sides * closing_weight(segment, mechanics) / sums.closing_weight;
-      };
-      impose_travel(network, tendon, grasp, direction, shared, motion);
-    }
-    accumulate_slip(tendon, motion);
-    if (tendon.closed) add_circulation(tendon, circulation(tendon, mechanics, motion), motion);
+    solve_tendon(network, mechanics, grasp, direction, t, motion);
+    blocked |= motion.jams[t] != 0;
   }
   if (blocked) stop_everything(motion);
 }

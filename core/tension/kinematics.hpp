@@ -1,19 +1,21 @@
 // What carriage and fingers impose on a tendon, and how the tendon slips through its contacts.
 //
-// The carriage travels D = 1. Pulling, every motor-side segment i has e_i = +D imposed and each
-// strand of a closing finger e_i = -dl; releasing, the signs are reversed. The closing fingers of a
-// tendon share its travel by their closing weights, so that along a tendon of an inextensible
-// thread the e_i add up to zero. Slip s_k (from the left to the right segment of contact k)
-// follows:
+// The carriage travels D = 1, those of several motors v_c D as the grasp says. Pulling, every
+// motor-side segment i has e_i = +v_c D imposed and each strand of a closing finger e_i = -dl;
+// releasing, the signs are reversed. The closing fingers of a tendon share its travel by their
+// closing weights, so that along a tendon of an inextensible thread the e_i add up to zero. Slip
+// s_k (from the left to the right segment of contact k) follows:
 //
 //   e_i + s_i - s_{i-1} = 0,      on a loop up to a circulation c that minimises Σ phi_k |s_k|:
 //                                 the friction-weighted median
 //
-// The thread is only nearly inextensible: what yields (fingers when pulling, carriage when
-// releasing) yields a fraction epsilon less than what drives, and that is the take-up which
-// stretches the tendon. take_up holds it per segment, in units of epsilon. Where no finger of a
-// tendon can move, it jams: nothing slips at order one, and the whole travel is take-up; in
-// release, where a jammed carriage can only give way, what stays stretched is the hand side.
+// The thread is only nearly inextensible: what yields (e_i < 0: fingers when pulling, the carriage
+// when releasing, a carriage that lets out while another pulls) yields a fraction epsilon less than
+// what drives, and that is the take-up which stretches the tendon. take_up holds it per segment, in
+// units of epsilon. Where carriages pull and no finger of a tendon can move, it jams: nothing slips
+// at order one, and the whole travel is take-up; in release, where a jammed carriage can only give
+// way, what stays stretched is the hand side. A tendon whose carriages all stand still carries
+// nothing; one that is let out in all would open its fingers, and is undetermined.
 //
 // Tendons that blocks tie together close as tree_kinematics.hpp says; a block that moves by z adds
 // z to what is imposed on the segments that it pulls, and takes z from its tails.
@@ -34,8 +36,8 @@ enum class Slide : std::int8_t { to_left = -1, no = 0, to_right = 1 };
 // Arrays parallel to the network's tendons, segments, contacts and fingers.
 struct Motion {
   std::vector<char> jams;
-  std::vector<char> slack;    // of the tendons; empty unless the network is split
-  bool undetermined = false;  // of a tree's blocks: TreeState::undetermined
+  std::vector<char> slack;    // of the tendons; empty if none is
+  bool undetermined = false;  // TreeState::undetermined of a tree, or a finger that would open
   std::vector<double> imposed;
   std::vector<double> take_up;
   std::vector<double> slip;          // at D = 1; exactly 0 where the contact does not slide
@@ -68,6 +70,8 @@ class Kinematics {
                    Direction direction, Motion& motion);
   void solve_split(const Network& network, const Mechanics& mechanics, Grasp grasp,
                    Direction direction, Motion& motion);
+  void solve_tendon(const Network& network, const Mechanics& mechanics, const Grasp& grasp,
+                    Direction direction, std::size_t tendon, Motion& motion);
   double circulation(const TendonSpan& tendon, const Mechanics& mechanics, const Motion& motion);
 
   std::vector<WeightedPoint> points_;

@@ -27,8 +27,20 @@ bool scale_to_unit_motor_tension(const Network& network, std::vector<double>& te
   return std::isnormal(motor);
 }
 
-void make_absolute(const Network& network, TensionState& state) {
+// Exactly 1 if all carriages travel D.
+double motor_work(const Network& network, const Grasp& grasp, const std::vector<double>& tension) {
+  double work = 1;
+  for (std::size_t i = 0; i < tension.size(); ++i) {
+    const Segment& segment = network.segments[i];
+    if (segment.kind != SegmentKind::motor_side) continue;
+    work += (grasp.travel(segment.carriage) - 1) * tension[i];
+  }
+  return work;
+}
+
+void make_absolute(const Network& network, const Grasp& grasp, TensionState& state) {
   state.in_range &= scale_to_unit_motor_tension(network, state.tension);
+  state.motor_work = motor_work(network, grasp, state.tension);
   if (!state.in_range) {
     std::fill(state.tension.begin(), state.tension.end(), std::numeric_limits<double>::quiet_NaN());
   }
@@ -133,7 +145,7 @@ void TensionSolver::solve_relative(const Network& network, const Mechanics& mech
 void TensionSolver::solve(const Network& network, const Mechanics& mechanics, Grasp grasp,
                           Direction direction, TensionState& state) {
   solve_relative(network, mechanics, grasp, direction, state);
-  make_absolute(network, state);
+  make_absolute(network, grasp, state);
 }
 
 void TensionSolver::solve_again(const Network& network, const Mechanics& mechanics, Grasp grasp,
@@ -148,7 +160,7 @@ void TensionSolver::solve_again(const Network& network, const Mechanics& mechani
   state.closing.swap(motion_.closing);
   state.block_travel.swap(motion_.block_travel);
   solve_in_motion(network, mechanics, state);
-  make_absolute(network, state);
+  make_absolute(network, grasp, state);
 }
 
 const TensionState& require_in_range(const TensionState& state, Grasp grasp) {
@@ -156,8 +168,8 @@ const TensionState& require_in_range(const TensionState& state, Grasp grasp) {
   throw OutOfRange(
       "held " + to_text(grasp) +
       ": the motor tension cannot be computed: a tendon hangs on no motor, blocks are free to move "
-      "against each other, a finger would have to open, or friction is so strong that tensions fall "
-      "out of range");
+      "against each other, a finger would have to open, carriages move unlike each other beside a "
+      "seized contact, or friction is so strong that tensions fall out of range");
 }
 
 TensionState tensions(const Network& network, const Mechanics& mechanics, Grasp grasp,

@@ -43,7 +43,9 @@ struct CommonClosing {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Most, Most>;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Most, 1>;
 
-  bool any_closes = false;
+  bool drives = false;  // some carriage pulls
+  bool lets_out = false;
+  bool closes = false;  // some finger
   bool exact = false;
   bool unique = false;
   Vector blocks;
@@ -57,9 +59,13 @@ struct CommonClosing {
     for (const TendonSpan& tendon : network.tendons) {
       if (tendon.tree != tree) continue;
       for_each_term(
-          network, tendon, grasp, [&](double length) { motor(row) += length; },
+          network, tendon, grasp,
+          [&](double length) {
+            motor(row) += length;
+            (length < 0 ? lets_out : drives) |= length != 0;
+          },
           [&](int finger, double factor) {
-            any_closes = true;
+            closes = true;
             matrix(row, columns.blocks) -= factor * closing_weight(mechanics, finger);
           },
           [&](std::size_t block, double factor) {
@@ -67,11 +73,11 @@ struct CommonClosing {
           });
       ++row;
     }
-    if (!any_closes) return;
+    if (!closes && !lets_out) return;
     const Eigen::ColPivHouseholderQR<Matrix> qr(matrix);
     const Vector x = qr.solve(-motor);
     exact = (matrix * x + motor).cwiseAbs().maxCoeff() < length_tolerance;
-    unique = qr.rank() == columns.blocks + 1;
+    unique = qr.rank() == columns.blocks + (closes ? 1 : 0);
     blocks = x.head(columns.blocks);
     closing = x(columns.blocks);
   }
@@ -152,7 +158,9 @@ TreeState solve_with(const Network& network, const Mechanics& mechanics, Grasp g
                      std::size_t tree, const TreeColumns& columns, std::vector<double>& closing,
                      std::vector<double>& block_travel) {
   const CommonClosing<Most> common(network, mechanics, grasp, tree, columns);
-  if (!common.any_closes) return TreeState::jams;
+  if (!common.closes && !common.lets_out) {
+    return common.drives ? TreeState::jams : TreeState::moves;
+  }
   if (common.exact) {
     if (!common.unique) return TreeState::undetermined;
     write_blocks(columns, common.blocks.data(), block_travel);
@@ -162,6 +170,7 @@ TreeState solve_with(const Network& network, const Mechanics& mechanics, Grasp g
     return write_closings(network, grasp, tree, shared, closing);
   }
   const TreeMotion nearly = nearly_common_closing(network, mechanics, grasp, tree, columns);
+  if (nearly.state == TreeState::jams && common.lets_out) return TreeState::undetermined;
   if (nearly.state != TreeState::moves) return nearly.state;
   write_blocks(columns, nearly.blocks.data(), block_travel);
   const auto found = [&](int finger) {

@@ -1,8 +1,8 @@
 // How fingers close and blocks move where blocks tie tendons together.
 //
-// The carriage travels D = 1. A block that moves by z towards its tails takes up z on each strand
-// of a pass and on a becket, and gives z to a tail. The closing fingers of a tree share one dl, by
-// their closing weights; for every tendon
+// The carriage travels D = 1, those of several motors as the grasp says. A block that moves by z
+// towards its tails takes up z on each strand of a pass and on a becket, and gives z to a tail. The
+// closing fingers of a tree share one dl, by their closing weights; for every tendon
 //
 //   motor sides + 2 z of each pass + z of each becket = closings + z of each tail
 //
@@ -11,8 +11,9 @@
 //
 // In a tree of two tendons a block these are as many equations as unknowns (dl and each z). Where a
 // block ties more tendons together they can ask for different closings: these are then as equal as
-// the tendons let them, minimising Σ_f (dl_f − w_f dl)² / w_f. If that cannot be met either, or no
-// finger closes, the tree jams. A held branch is no jam: its block stands still.
+// the tendons let them, minimising Σ_f (dl_f − w_f dl)² / w_f. If that cannot be met either, or
+// nothing yields (no finger closes, and no carriage lets out), the tree jams. A held branch is no
+// jam: its block stands still.
 #pragma once
 
 #include <vector>
@@ -26,7 +27,8 @@ namespace reeve::core {
 enum class TreeState {
   moves,
   jams,
-  // The equations leave the blocks free to move against each other, or ask a finger to open.
+  // The equations leave the blocks free to move against each other, ask a finger to open, or jam
+  // while a carriage lets out: tendons that it leaves slack are then not found.
   undetermined,
 };
 
@@ -70,18 +72,18 @@ void for_each_pull(const Network& network, const TendonSpan& tendon, Visit visit
   at_end(tendon.right, tendon.first_segment + tendon.segments - 1, weight);
 }
 
-inline bool closes(const Segment& segment, Grasp grasp) {
+inline bool closes(const Segment& segment, const Grasp& grasp) {
   return segment.kind == SegmentKind::strand && !grasp.holds(segment.finger);
 }
 
 // The terms of a tendon's equation: calls on_motor(length), on_closing(finger, factor) for what a
 // dl of that finger gives up, and on_block(block, factor) for what a z of that block takes up.
 template <typename OnMotor, typename OnClosing, typename OnBlock>
-void for_each_term(const Network& network, const TendonSpan& tendon, Grasp grasp, OnMotor on_motor,
-                   OnClosing on_closing, OnBlock on_block) {
+void for_each_term(const Network& network, const TendonSpan& tendon, const Grasp& grasp,
+                   OnMotor on_motor, OnClosing on_closing, OnBlock on_block) {
   for_each_weighted_segment(network, tendon, [&](std::size_t i, double weight) {
     const Segment& segment = network.segments[i];
-    if (segment.kind == SegmentKind::motor_side) on_motor(weight);
+    if (segment.kind == SegmentKind::motor_side) on_motor(weight * grasp.travel(segment.carriage));
     if (closes(segment, grasp)) on_closing(segment.finger, weight);
   });
   for_each_pull(network, tendon, [&](std::size_t, std::size_t block, double sign, double weight) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "drawing/schematic/places.hpp"
@@ -287,38 +288,96 @@ class Layouter {
 
   // Below what hangs on it, with the motor's arrow and text.
   void add_carriage() {
-    constexpr double overhang = 22;
     constexpr double arrow = 34;
-    double left = out_.width;
-    double right = 0;
-    for (const Fitting& fitting : all_.fittings) {
-      if (fitting.kind != FittingKind::sheath && fitting.kind != FittingKind::pulley) continue;
-      for (const std::size_t port : fitting.ports) {
-        left = std::min(left, at(port).x);
-        right = std::max(right, at(port).x);
+    const double bottom = palm_ + places_.bottom;
+    for (const Hanging& run : hanging_runs()) {
+      const Box box{run.left - run.room_left, palm_ + places_.carriage_top,
+                    run.right + run.room_right, bottom};
+      const double step = (run.right - run.left) / (static_cast<double>(run.motors.size()) + 1);
+      double x = run.left;
+      for (const int motor : run.motors) {
+        x += step;
+        out_.carriages.push_back({motor, box, {x - 6, bottom + 2, x + 6, bottom + 2 + arrow}, {}});
       }
     }
-    if (right < left) return;
-    const double bottom = palm_ + places_.bottom;
-    out_.carriage = {left - overhang, palm_ + places_.carriage_top, right + overhang, bottom};
-    const double x = (left + right) / 2;
-    out_.motor = {x - 6, bottom + 2, x + 6, bottom + 2 + arrow};
-    out_.motor_text = motor_text();
-    out_.height = out_.motor.bottom + margin;
+    if (out_.carriages.empty()) return;
+    out_.height = out_.carriages.front().arrow.bottom + margin;
+    if (out_.carriages.size() == 1) {
+      out_.carriages.front().text = text_beside(out_.carriages.front());
+      return;
+    }
+    for (DrawnCarriage& carriage : out_.carriages) {
+      carriage.text = text_below(carriage, out_.height - margin + 2);
+      out_.height = carriage.text.box.bottom + margin;
+    }
   }
 
-  DrawnText motor_text() const {
+  // What hangs side by side on one carriage, or on several whose tendons cross, from left to right,
+  // and the room beside it.
+  struct Hanging {
+    std::set<int> motors;
+    double left = 0;
+    double right = 0;
+    double room_left = 22;
+    double room_right = 22;
+  };
+
+  std::vector<Hanging> hanging_runs() const {
+    std::vector<Hanging> all;
+    for (std::size_t i = 0; i < net_.segments.size(); ++i) {
+      if (net_.segments[i].kind != SegmentKind::motor_side) continue;
+      Hanging one{{net_.segments[i].carriage}, out_.width, 0};
+      for (const std::size_t port : all_.segments[i].port) {
+        if (port == nowhere) continue;
+        one.left = std::min(one.left, at(port).x);
+        one.right = std::max(one.right, at(port).x);
+      }
+      all.push_back(one);
+    }
+    std::sort(all.begin(), all.end(),
+              [](const Hanging& a, const Hanging& b) { return a.left < b.left; });
+    std::vector<Hanging> runs;
+    for (const Hanging& one : all) {
+      if (!runs.empty() && (runs.back().motors == one.motors || one.left <= runs.back().right)) {
+        runs.back().motors.insert(one.motors.begin(), one.motors.end());
+        runs.back().right = std::max(runs.back().right, one.right);
+        continue;
+      }
+      runs.push_back(one);
+    }
+    constexpr double gap = 2;
+    for (std::size_t i = 1; i < runs.size(); ++i) {
+      const double room = (runs[i].left - runs[i - 1].right) / 2 - gap;
+      runs[i - 1].room_right = std::min(runs[i - 1].room_right, room);
+      runs[i].room_left = std::min(runs[i].room_left, room);
+    }
+    return runs;
+  }
+
+  static double motor_text_width(const char* text) { return text_width(text, small_size, false); }
+
+  DrawnText text_beside(const DrawnCarriage& carriage) const {
     constexpr double aside = 5;
-    const double top = (out_.motor.top + out_.motor.bottom - line_height) / 2;
-    const double width = text_width("motor 1.00", small_size, false);
+    const double top = (carriage.arrow.top + carriage.arrow.bottom - line_height) / 2;
+    const double width = motor_text_width("motor 1.00");
     DrawnText text{{}, "", small_size, Weight::normal, Align::start};
-    const double right = out_.motor.right + aside;
+    const double right = carriage.arrow.right + aside;
     text.box = {right, top, right + width, top + line_height};
     if (text.box.right > out_.width - margin / 2) {
-      const double left = out_.motor.left - aside;
+      const double left = carriage.arrow.left - aside;
       text.box = {left - width, top, left, top + line_height};
       text.align = Align::end;
     }
+    return text;
+  }
+
+  // One below the other, so that the texts of carriages that stand close do not meet.
+  DrawnText text_below(const DrawnCarriage& carriage, double top) const {
+    const double half = motor_text_width("motor 1, travel -0.555: 1.00") / 2;
+    const double middle = std::clamp((carriage.arrow.left + carriage.arrow.right) / 2,
+                                     margin / 2 + half, out_.width - margin / 2 - half);
+    DrawnText text{{}, "", small_size, Weight::normal, Align::middle};
+    text.box = {middle - half, top, middle + half, top + line_height};
     return text;
   }
 

@@ -69,6 +69,15 @@ struct DrawnBlock {
   Box motion;                // where there is room for an arrow that says which way it moves
 };
 
+// A carriage. One whose tendons stand apart is drawn in parts; where tendons of several motors
+// cross on their carriages, these are drawn as one box.
+struct DrawnCarriage {
+  int motor = 1;
+  Box box;
+  Box arrow;       // of the motor, from top to bottom
+  DrawnText text;  // its place; the text depends on what is shown
+};
+
 struct DrawnFinger {
   Box outline;
   bool held = false;
@@ -128,9 +137,7 @@ struct SchematicLayout {
   std::vector<DrawnEnd> ends;
   std::vector<DrawnFinger> fingers;
   Box hand;
-  Box carriage;          // empty if nothing hangs on it
-  Box motor;             // the arrow at the carriage, from top to bottom
-  DrawnText motor_text;  // its place; the text depends on what is shown
+  std::vector<DrawnCarriage> carriages;  // from left to right
   std::vector<DrawnText> texts;
   Legend legend;
 };

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/motor_sides.hpp"
 #include "core/text.hpp"
 #include "drawing/schematic/schematic_symbols.hpp"
 #include "drawing/svg.hpp"
@@ -159,21 +160,41 @@ std::string held_fingers(const SchematicLayout& layout) {
   return content;
 }
 
-std::string carriage(const Schematic& schematic) {
-  const SchematicLayout& layout = schematic.layout;
-  if (layout.carriage.right <= layout.carriage.left) return "";
-  const double x = (layout.motor.left + layout.motor.right) / 2;
-  Point from{x, layout.motor.top};
-  Point to{x, layout.motor.bottom};
-  if (schematic.direction == Direction::release) std::swap(from, to);
-  DrawnText text = layout.motor_text;
-  text.text = "motor";
-  if (schematic.state != nullptr) text.text += " 1.00";
-  return svg::group(
-             symbols::strokes,
-             svg::rectangle(layout.carriage, 6, " class=\"reeve-carriage\" fill=\"#e2e6ea\"") +
-                 svg::group(" stroke-width=\"3\"", symbols::straight_arrow(from, to))) +
+// "motor 1.00"; of several, "motor 2, travel -1: 0.18".
+std::string motor_text(const Schematic& schematic, int motor) {
+  const bool several = schematic.layout.carriages.size() > 1;
+  std::string text = several ? fmt::format("motor {}", motor) : "motor";
+  if (schematic.state == nullptr) return text;
+  if (!several) return text + " 1.00";
+  const auto at = static_cast<std::size_t>(motor) - 1;
+  if (schematic.carriages.given > 0) {
+    text += fmt::format(", travel {:.3g}:", schematic.carriages.over_D[at]);
+  }
+  return text + " " + tension_text(schematic.motor_tension[at]);
+}
+
+std::string carriage(const Schematic& schematic, const DrawnCarriage& carriage) {
+  const double x = (carriage.arrow.left + carriage.arrow.right) / 2;
+  const double travel = schematic.carriages.over_D[static_cast<std::size_t>(carriage.motor) - 1];
+  Point from{x, carriage.arrow.top};
+  Point to{x, carriage.arrow.bottom};
+  if ((schematic.direction == Direction::release) != (travel < 0)) std::swap(from, to);
+  DrawnText text = carriage.text;
+  text.text = motor_text(schematic, carriage.motor);
+  const std::string arrow =
+      travel == 0 ? "" : svg::group(" stroke-width=\"3\"", symbols::straight_arrow(from, to));
+  return svg::group(symbols::strokes,
+                    svg::rectangle(carriage.box, 6, " class=\"reeve-carriage\" fill=\"#e2e6ea\"") +
+                        arrow) +
          svg::text(text);
+}
+
+std::string carriages(const Schematic& schematic) {
+  std::string content;
+  for (const DrawnCarriage& drawn : schematic.layout.carriages) {
+    content += carriage(schematic, drawn);
+  }
+  return content;
 }
 
 std::string tendons(const Schematic& schematic) {
@@ -193,7 +214,7 @@ std::string draw(const Schematic& schematic) {
   std::string texts;
   for (const DrawnText& text : layout.texts) texts += svg::text(text);
   return svg::group(symbols::strokes, symbols::hand(layout) + held_fingers(layout)) +
-         carriage(schematic) + svg::group(symbols::strokes, shells(layout) + turns(layout)) +
+         carriages(schematic) + svg::group(symbols::strokes, shells(layout) + turns(layout)) +
          tendons(schematic) +
          svg::group(symbols::strokes, sheaths(layout) + eyes(layout) + ends(layout) +
                                           arrows(schematic) + motions(schematic)) +
@@ -247,7 +268,7 @@ std::string subtitle(const GraspView& view, int fingers) {
 }  // namespace
 
 Schematic schematic(const Network& network, const std::string& title, bool with_legend) {
-  return {layout(network, {title, "", {}, with_legend, false}), nullptr, Direction::pull};
+  return {layout(network, {title, "", {}, with_legend, false}), nullptr, Direction::pull, {}, {}};
 }
 
 Schematic schematic(const Network& network, const std::string& title, const GraspView& view,
@@ -259,7 +280,8 @@ Schematic schematic(const Network& network, const Places& places, const std::str
                     const GraspView& view, bool with_legend) {
   const SchematicFrame frame{
       title, subtitle(view, network.fingers), view.grasp, with_legend, true, has_slack(view.state)};
-  return {layout(network, frame, places), &view.state, view.direction};
+  return {layout(network, frame, places), &view.state, view.direction, view.grasp.carriages,
+          motor_tensions(network, view.state.tension)};
 }
 
 std::string schematic_svg(const Schematic& schematic, const std::string& ids) {

@@ -24,6 +24,8 @@ struct Schematic {
   SchematicLayout layout;
   const TensionState* state = nullptr;  // none: the parts alone
   Direction direction = Direction::pull;
+  CarriageTravels carriages{};
+  std::vector<double> motor_tension{};
 };
 
 Schematic schematic(const Network& network, const std::string& title, bool with_legend = true);

@@ -25,7 +25,7 @@ std::string path_from(const py::handle& value, const std::string& name);
 std::shared_ptr<const BoundHardware> hardware_from(const py::handle& value);
 
 // Fingers as numbers, one number, or text as on the command line.
-Grasp grasp_from(const py::handle& held, int fingers);
+Grasp grasp_from(const py::handle& held, int fingers, int motors = 1);
 Direction direction_from(const py::handle& value);
 
 }  // namespace reeve::python

@@ -39,8 +39,10 @@ BoundTensions solve(const std::shared_ptr<BoundRouting>& routing, const py::obje
   if (!used->file.hardware.contacts.empty()) require_contacts(*used, {routing->routing});
   used->builder.apply(routing->network, mechanics);
   used->builder.require_in_range(routing->network, mechanics);
-  BoundTensions result{
-      routing, grasp_from(held, routing->network.fingers), direction_from(direction), {}};
+  BoundTensions result{routing,
+                       grasp_from(held, routing->network.fingers, carriage_count(routing->routing)),
+                       direction_from(direction),
+                       {}};
   solver.solve(routing->network, mechanics, result.grasp, result.direction, result.state);
   if (!result.state.in_range) {
     require_actuated(routing->network, routing->word);

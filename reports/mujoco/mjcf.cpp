@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/mechanics.hpp"
+#include "core/motor_sides.hpp"
 #include "core/notation.hpp"
 #include "core/version.hpp"
 #include "reports/model_text.hpp"
@@ -41,6 +44,10 @@ std::string hardware_line(const MjcfOrigin& origin) {
 }
 
 std::string trees_lines(const Network& network) {
+  if (carriage_count(network) > 1) {
+    return "Each motor pulls with the same force; reeve's own figures have the carriages travel as a\n"
+           "grasp says, by default alike.\n";
+  }
   if (tree_count(network) < 2) return "";
   return "Several trees of tendons hang on the carriage: here they share its pull as the springs of\n"
          "their fingers ask; reeve's own figures have them take up alike.\n";
@@ -122,13 +129,19 @@ void write_settings(MjcfText& out) {
   out.close();
 }
 
-void write_motor(double pull_N, MjcfText& out) {
+void write_motors(double pull_N, int motors, MjcfText& out) {
   const std::string pull = MjcfText::number(pull_N);
+  std::string pulls;
   out.open("actuator");
-  out.leaf("motor", {{"name", "motor"}, {"joint", "carriage"}, {"ctrlrange", "0 " + pull}});
+  for (int motor = 1; motor <= std::max(1, motors); ++motor) {
+    out.leaf("motor", {{"name", motor == 1 ? "motor" : fmt::format("motor_{}", motor)},
+                       {"joint", carriage_name(static_cast<std::size_t>(motor))},
+                       {"ctrlrange", "0 " + pull}});
+    pulls += (motor == 1 ? "" : " ") + pull;
+  }
   out.close();
   out.open("keyframe");
-  out.leaf("key", {{"name", "pull"}, {"ctrl", pull}});
+  out.leaf("key", {{"name", "pull"}, {"ctrl", pulls}});
   out.close();
 }
 
@@ -152,7 +165,7 @@ std::string mjcf(const Routing& routing, const Hardware& hardware, const MjcfOri
   write_world(rig, out);
   write_tendons(rig, out);
   write_equalities(rig, out);
-  write_motor(hardware.motor.force_N.value_or(default_pull_N), out);
+  write_motors(hardware.motor.force_N.value_or(default_pull_N), carriage_count(rig.network), out);
   out.close();
   return out.text();
 }

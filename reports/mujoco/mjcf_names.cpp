@@ -12,12 +12,16 @@ std::string joint_name(std::size_t finger, std::size_t joint) {
   return fmt::format("finger_{}_joint_{}", finger + 1, joint + 1);
 }
 
+std::string carriage_name(std::size_t motor) {
+  return motor == 1 ? "carriage" : fmt::format("carriage_{}", motor);
+}
+
 std::string mover_name(const MjcfRig& rig, const Leg& leg) {
   switch (leg.mover) {
     case Mover::runner:
       return runner_name(leg.owner - 1);
     case Mover::carriage:
-      return "carriage";
+      return carriage_name(leg.owner);
     case Mover::block:
       return block_name(rig.network.blocks[leg.owner]);
     case Mover::left_arm:

@@ -78,14 +78,14 @@ std::vector<double> travel_per_closing(const Network& network, const Mechanics& 
   return greatest;
 }
 
-// The lane of a leg among those of its mover, from 0.
+// The lane of a leg among those of its mover, or of all carriages, from 0.
 std::size_t lane_of(const RopePlan& plan, std::size_t leg) {
   std::size_t lane = 0;
   for (std::size_t k = 0; k < leg; ++k) {
     const bool on_block = plan.legs[leg].mover >= Mover::block;
     if ((on_block ? plan.legs[k].mover >= Mover::block
                   : plan.legs[k].mover == plan.legs[leg].mover) &&
-        plan.legs[k].owner == plan.legs[leg].owner) {
+        (plan.legs[leg].mover == Mover::carriage || plan.legs[k].owner == plan.legs[leg].owner)) {
       ++lane;
     }
   }

@@ -85,6 +85,7 @@ struct MjcfRig {
 std::string rope_name(std::size_t rope);
 std::string runner_name(std::size_t finger);
 std::string joint_name(std::size_t finger, std::size_t joint);
+std::string carriage_name(std::size_t motor);  // from 1
 std::string mover_name(const MjcfRig& rig, const Leg& leg);
 std::string site_name(const MjcfRig& rig, const RopePoint& at);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/motor_sides.hpp"
 #include "reports/mujoco/mjcf_rig.hpp"
 
 namespace reeve::reports {
@@ -25,7 +26,9 @@ class WorldWriter {
     out_.open("worldbody");
     eyelets();
     for (std::size_t f = 0; f < rig_.layout.fingers.size(); ++f) finger(f);
-    slider("carriage", {carriage_x_m, 0}, {}, carriage_kg);
+    for (int motor = 1; motor <= std::max(1, carriage_count(rig_.network)); ++motor) {
+      slider(carriage_name(static_cast<std::size_t>(motor)), {carriage_x_m, 0}, {}, carriage_kg);
+    }
     for (std::size_t b = 0; b < rig_.network.blocks.size(); ++b) block(b);
     out_.close();
   }

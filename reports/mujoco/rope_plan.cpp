@@ -59,14 +59,14 @@ class RopePlanner {
   }
 
   std::size_t leg_of_end(const Token& token) {
-    if (token.kind == TokenKind::motor_end) return carriage_leg();
+    if (token.kind == TokenKind::motor_end) return carriage_leg(token);
     if (token.kind == TokenKind::anchored_tip) return strand_leg(token.finger, 1);
     return block_leg(token, Mover::block);
   }
 
   std::size_t leg_inside(const Token& token, int side) {
     if (token.kind == TokenKind::finger) return strand_leg(token.finger, side);
-    if (token.kind == TokenKind::movable_pulley) return carriage_leg();
+    if (token.kind == TokenKind::movable_pulley) return carriage_leg(token);
     return block_leg(token, Mover::block);
   }
 
@@ -75,8 +75,9 @@ class RopePlanner {
     return added({Mover::runner, static_cast<std::size_t>(finger), segment_name(strand)});
   }
 
-  std::size_t carriage_leg() {
-    return added({Mover::carriage, 0, segment_name({SegmentKind::motor_side, ++motor_sides_})});
+  std::size_t carriage_leg(const Token& token) {
+    return added(
+        {Mover::carriage, token.carriage, segment_name({SegmentKind::motor_side, ++motor_sides_})});
   }
 
   std::size_t block_leg(const Token& token, Mover mover) {

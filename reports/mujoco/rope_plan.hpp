@@ -25,7 +25,7 @@ enum class Mover : std::uint8_t { runner, carriage, block, left_arm, right_arm }
 
 struct Leg {
   Mover mover = Mover::runner;
-  std::size_t owner = 0;  // finger from 1; index of the block; 0 of the carriage
+  std::size_t owner = 0;  // finger or motor from 1; index of the block
   std::string name;       // T1, a, Y1_1
   bool is_tail = false;
 };

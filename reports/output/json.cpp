@@ -137,9 +137,15 @@ Json to_json(const PartPrices& prices) {
   return json;
 }
 
+void add_carriages(Json& target, const Grasp& grasp) {
+  if (grasp.carriages.given > 0) target["carriages"] = carriage_travels(grasp);
+}
+
 Json to_json(const GraspSet& grasps) {
   return list_json(grasps, [](const WeightedGrasp& grasp) {
-    return Json{{"held", held_fingers(grasp.grasp)}, {"weight", grasp.weight}};
+    Json json{{"held", held_fingers(grasp.grasp)}, {"weight", grasp.weight}};
+    add_carriages(json, grasp.grasp);
+    return json;
   });
 }
 

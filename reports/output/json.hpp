@@ -45,6 +45,8 @@ void add_objectives(Json& target, const ObjectiveValues& values);
 Json to_json(const Hardware& hardware);
 Json to_json(const UncertaintyOptions& options);
 Json to_json(const PartPrices& prices);
+// Travels of the carriages, if the grasp gives them.
+void add_carriages(Json& target, const Grasp& grasp);
 Json to_json(const GraspSet& grasps);
 
 // {"objectives","score","grasps","hardware","model"}

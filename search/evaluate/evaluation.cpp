@@ -1,5 +1,7 @@
 #include "search/evaluate/evaluation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -160,6 +162,13 @@ std::vector<Grasp> DesignEvaluator::smallest_jams(const Routing& routing) {
 }
 
 void DesignEvaluator::set_routing(const Routing& routing) {
+  if (const int motors = carriage_count(routing); hand_ && motors > 1) {
+    throw InputError({.where = fmt::format("routing '{}'", to_word(routing)),
+                      .what = fmt::format("it has {} motors, and the forces of a hand are computed "
+                                          "for one",
+                                          motors),
+                      .expected = "hardware without joints, or a routing of one motor"});
+  }
   expand(routing, network_);
   builder_.apply(network_, mechanics_);
   builder_.require_in_range(network_, mechanics_);

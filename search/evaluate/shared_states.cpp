@@ -27,7 +27,7 @@ bool routings_share_states(const Model& model) {
 
 bool hold_one_finger_at_most(const GraspSet& grasps) {
   return std::all_of(grasps.begin(), grasps.end(), [](const WeightedGrasp& grasp) {
-    return std::popcount(grasp.grasp.held) <= 1;
+    return std::popcount(grasp.grasp.held) <= 1 && grasp.grasp.carriages.given == 0;
   });
 }
 

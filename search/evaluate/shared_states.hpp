@@ -22,6 +22,7 @@ namespace reeve::search {
 // the model depends on tensions or contacts.
 bool routings_share_states(const Model& model);
 
+// True also only if no grasp gives the travels of carriages.
 bool hold_one_finger_at_most(const GraspSet& grasps);
 
 // No finger, or the one that is held if it is one of the tree's, from 1.

@@ -134,8 +134,23 @@ TEST(ShippedCatalogue, HoldsMechanismsByFamilyBesideTheSeven) {
     }
     numbers += mechanism.numbers.size();
   }
-  EXPECT_EQ(catalogue.mechanisms.size(), 44U);
+  EXPECT_EQ(catalogue.mechanisms.size(), 58U);
   EXPECT_EQ(numbers, 293U);
+}
+
+TEST(ShippedCatalogue, HasTheHandsAndGlovesOfSeveralMotors) {
+  const Catalogue catalogue = read_catalogue(REEVE_CATALOG_DIR);
+  const auto motors = [&](const std::string& name) {
+    return carriage_count(catalogue.find_mechanism(name)->routing);
+  };
+  EXPECT_EQ(motors("OpenHandModelT42"), 2);
+  EXPECT_EQ(motors("SoftHand2"), 2);
+  EXPECT_EQ(motors("CyberHand"), 5);
+  EXPECT_EQ(motors("SoftHand"), 1);
+  const auto several = std::count_if(
+      catalogue.mechanisms.begin(), catalogue.mechanisms.end(),
+      [](const Mechanism& mechanism) { return carriage_count(mechanism.routing) > 1; });
+  EXPECT_EQ(several, 14);
 }
 
 struct CatalogueWithFamily {

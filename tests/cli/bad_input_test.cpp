@@ -38,6 +38,24 @@ TEST(BadRouting, IsNamedWithTheColumnAndWhatWasExpected) {
            "routing 'F-1-F': the tendon with T1 is not actuated: it has no M and no P, so the "
            "motor cannot pull it"),
       show("M-1-F+F-2-F", "the tendon with T3 is not actuated"),
+      show("M-1-M3", "motor 2 is missing (M2 or P2)"),
+      show("M-1-M7", "column 5: 'M7': expected M alone for the first motor, or the number"),
+  });
+}
+
+TEST(BadCarriages, AreNamedWithTheMotorsThatThereAre) {
+  expect_all_bad({
+      {"show M-1-M2 --held none@1", "--held 'none@1': '@1': expected 2 travels from -100 to 100"},
+      {"show M-1-F --held none@1", "'@1': expected no travels of carriages"},
+      {"show 1x-M+2x-M2 --held none@1,-1", "a finger would have to open"},
+      {"rank M-1-M2 M-1-M --grasps none@1,1", "'@1,1': expected no travels of carriages"},
+      {"explore --fingers 2 --grasps none@1,1", "'@1,1': expected no travels of carriages"},
+      {"simulate --routings M-1-M2",
+       "--routings 'M-1-M2': it has 2 motors, and a reading one motor tension: expected a routing "
+       "of one motor"},
+      {"rank 1x-M+2x-M2 M-1-T-2-F --hardware " REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml",
+       "routing '1x-M+2x-M2': it has 2 motors, and the forces of a hand are computed for one: "
+       "expected hardware without joints, or a routing of one motor"},
   });
 }
 
@@ -228,7 +246,7 @@ TEST(BadRank, IsNamedWithTheRoutings) {
       {"rank --catalog --family toys",
        "--family 'toys': expected one of paper, benches, gloves, hands, hauls, tackles"},
       {"rank --catalog --family hands --fingers 7",
-       "--fingers '7': expected as many as a mechanism of the family hands has: 4, 5"},
+       "--fingers '7': expected as many as a mechanism of the family hands has: 2, 3, 4, 5"},
       {"rank TR1 --family hands", "--family requires --catalog"},
       {"check --family ''", "--family '': expected one of paper, benches"},
       {"rank TR1 TR1", "routing 'M-1-T-2-F' is given twice"},

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 #include <numeric>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/notation.hpp"
@@ -71,6 +74,116 @@ TEST(Canonical, WalksAreOrderedTokenByToken) {
   EXPECT_EQ(distinct("M-P-1-B-M"), "M-B-1-P-M");              // B before P
   EXPECT_EQ(distinct("M-2-T-1-M"), "M-1-T-2-M");              // finger numbers last
   EXPECT_EQ(distinct("M-1b-T-2b-T-3-M"), "M-3-T-2b-T-1b-M");  // … behind the whole shape
+}
+
+TEST(Canonical, IdenticalMotorsAreNumberedInTheOrderOfTheWord) {
+  EXPECT_EQ(identical("M2-1b-M"), "M-1b-M2");
+  EXPECT_EQ(identical("1x-M2+2x-M3+3x-M"), "M-1x+M2-2x+M3-3x");
+  EXPECT_EQ(identical("M2-1-T-2-M+M2-3-F"), "M-1-T-2-M2+M-3-F");
+  EXPECT_EQ(identical("1x-Y1-2x+Y1-M2+3x-M"), "M-Y1+1x-Y1-2x+M2-3x");
+  EXPECT_EQ(identical("M-1-F+M-2-F+M2-3-F"), identical("M-1-F+M2-2-F+M2-3-F"));
+}
+
+TEST(Canonical, DistinctFingersKeepTheNumbersOfTheMotors) {
+  EXPECT_EQ(distinct("M2-1b-M"), "M-1b-M2");
+  EXPECT_EQ(distinct("M2-1-F+M-2-F"), "M-2-F+M2-1-F");
+  EXPECT_NE(distinct("M-1-F+M2-2-F"), distinct("M2-1-F+M-2-F"));
+}
+
+// Words of one walk or two, as lists of tokens; any numbers may stand on their carriages.
+using TokenLists = std::vector<std::vector<std::string>>;
+
+std::string joined(const TokenLists& lists) {
+  std::string word;
+  for (const auto& list : lists) {
+    if (!word.empty()) word += '+';
+    for (std::size_t i = 0; i < list.size(); ++i) word += (i > 0 ? "-" : "") + list[i];
+  }
+  return word;
+}
+
+// Every way to write the same routing of open walks, by trying all.
+std::set<std::string> all_ways_to_write(TokenLists lists, int fingers, int motors) {
+  std::set<std::string> ways;
+  std::vector<int> finger(static_cast<std::size_t>(fingers));
+  std::iota(finger.begin(), finger.end(), 1);
+  std::vector<int> motor(static_cast<std::size_t>(motors));
+  std::iota(motor.begin(), motor.end(), 1);
+  const auto renamed = [&](const std::string& token) {
+    if (std::isdigit(static_cast<unsigned char>(token[0])) != 0) {
+      return std::to_string(finger[static_cast<std::size_t>(token[0] - '1')]) + token.substr(1);
+    }
+    if (token[0] != 'M' && token[0] != 'P') return token;
+    const int number = motor[token.size() == 1 ? 0U : static_cast<std::size_t>(token[1] - '1')];
+    return token.substr(0, 1) + (number == 1 ? "" : std::to_string(number));
+  };
+  do {
+    do {
+      for (unsigned backwards = 0; backwards < 1U << lists.size(); ++backwards) {
+        TokenLists other = lists;
+        for (std::size_t t = 0; t < other.size(); ++t) {
+          for (std::string& token : other[t]) token = renamed(token);
+          if ((backwards >> t & 1U) != 0) std::reverse(other[t].begin(), other[t].end());
+        }
+        std::sort(other.begin(), other.end());
+        do ways.insert(joined(other));
+        while (std::next_permutation(other.begin(), other.end()));
+      }
+    } while (std::next_permutation(motor.begin(), motor.end()));
+  } while (std::next_permutation(finger.begin(), finger.end()));
+  return ways;
+}
+
+TEST(Canonical, RoutingsOfSeveralMotorsAreOneOnlyIfTryingAllWaysToWriteThemSaysSo) {
+  const std::vector<std::pair<TokenLists, int>> skeletons{
+      {{{"M", "1", "P", "2b", "M"}}, 2},
+      {{{"M", "1", "P", "2", "P", "3", "F"}}, 3},
+      {{{"M", "1", "M"}, {"M", "2", "M"}}, 2},
+      {{{"M", "1", "F"}, {"M", "2", "P", "3", "M"}}, 3}};
+  for (const auto& [skeleton, fingers] : skeletons) {
+    std::map<std::string, std::set<std::string>> ways_of_canonical;
+    std::vector<std::pair<std::size_t, std::size_t>> places;
+    for (std::size_t t = 0; t < skeleton.size(); ++t) {
+      for (std::size_t i = 0; i < skeleton[t].size(); ++i) {
+        if (skeleton[t][i] == "M" || skeleton[t][i] == "P") places.emplace_back(t, i);
+      }
+    }
+    std::vector<int> number(places.size(), 1);
+    bool more = true;
+    while (more) {
+      TokenLists lists = skeleton;
+      const int motors = *std::max_element(number.begin(), number.end());
+      bool has_gap = false;
+      for (int m = 1; m <= motors; ++m) {
+        has_gap |= std::count(number.begin(), number.end(), m) == 0;
+      }
+      for (std::size_t p = 0; p < places.size(); ++p) {
+        if (number[p] > 1) lists[places[p].first][places[p].second] += std::to_string(number[p]);
+      }
+      if (!has_gap) {
+        const std::set<std::string> ways = all_ways_to_write(lists, fingers, motors);
+        const std::string least = identical(joined(lists));
+        EXPECT_TRUE(ways.contains(least)) << joined(lists) << " " << least;
+        const auto known = ways_of_canonical.emplace(least, ways);
+        EXPECT_EQ(known.first->second, ways) << joined(lists);
+      }
+      more = false;
+      for (int& n : number) {
+        if (++n <= 3) {
+          more = true;
+          break;
+        }
+        n = 1;
+      }
+    }
+    std::set<std::string> seen;
+    std::size_t all = 0;
+    for (const auto& [least, ways] : ways_of_canonical) {
+      all += ways.size();
+      seen.insert(ways.begin(), ways.end());
+    }
+    EXPECT_EQ(seen.size(), all);  // no two canonical words are one routing
+  }
 }
 
 TEST(Canonical, ATreeBeginsWithTheTendonOnWhichItHangs) {

@@ -102,6 +102,34 @@ TEST(GraspSet, ReadsHeldListsWithWeights) {
   EXPECT_EQ(to_text(grasps), "none:2/1/1,2:0.5");
 }
 
+TEST(Grasp, ReadsTheTravelsOfCarriagesThatItWrites) {
+  for (const std::string text : {"none@1,-1", "1,2@1,0.5", "2@0,1"}) {
+    EXPECT_EQ(to_text(parse_grasp(text, 2, 2)), text);
+  }
+  const Grasp grasp = parse_grasp("1@1,-0.5,0", 2, 3);
+  EXPECT_TRUE(grasp.holds(1));
+  EXPECT_EQ(carriage_travels(grasp), (std::vector<double>{1, -0.5, 0}));
+  EXPECT_EQ(grasp.travel(2), -0.5);
+  EXPECT_EQ(grasp.travel(4), 1);
+  EXPECT_EQ(carriage_travels(hold({1})), std::vector<double>{});
+  EXPECT_EQ(to_text(parse_grasps("none@1,-1:2/1", 2, 2)), "none@1,-1:2/1");
+}
+
+TEST(GraspError, TravelsOfCarriagesAreOneForEachMotor) {
+  const std::string two =
+      ": expected 2 travels from -100 to 100, one of each motor's carriage and one at least above "
+      "0, such as @1,-1";
+  for (const std::string travels : {"@", "@1", "@1,1,1", "@1,", "@1,x", "@0,0", "@-1,-1", "@1,101",
+                                    "@1,nan", "@1,inf", "@1@1"}) {
+    EXPECT_EQ(testing::input_error([&] { parse_grasp("1" + travels, 2, 2); }),
+              "held '1" + travels + "': '" + travels + "'" + two);
+  }
+  EXPECT_EQ(message("1@1", 2),
+            "held '1@1': '@1': expected no travels of carriages: they are for one routing, or "
+            "several of the same number of motors, with more than one motor");
+  EXPECT_FALSE(grasp_named("1@1", 3));
+}
+
 TEST(GraspSetError, NamesTheItemWhoseWeightIsWrong) {
   for (const std::string item :
        {"1:0", "1:9.9e-7", "1:-1", "1:nan", "1:inf", "1:1.1e6", "1:", "1:x", "1:1:1", "1:2 "}) {

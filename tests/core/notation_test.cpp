@@ -83,6 +83,40 @@ TEST(Notation, PrintsBlocksAndBarsAsItReadThem) {
   }
 }
 
+TEST(Notation, ReadsAndPrintsTheCarriagesOfSeveralMotors) {
+  const Routing routing = parse_routing("M-1-P2-2-M3");
+  EXPECT_EQ(routing.tendons[0].walk[0], motor_end());
+  EXPECT_EQ(routing.tendons[0].walk[2], on_carriage(TokenKind::movable_pulley, 2));
+  EXPECT_EQ(routing.tendons[0].walk[4], on_carriage(TokenKind::motor_end, 3));
+  EXPECT_EQ(carriage_count(routing), 3);
+  EXPECT_EQ(carriage_count(parse_routing("F-1-F")), 0);
+  for (const char* word : {"M-1-P2-2-M3", "1-P-2-P2-1", "M6-1-M5+M4-M3+M2-M", "M-1b-M2"}) {
+    EXPECT_EQ(to_word(parse_routing(word)), word);
+  }
+}
+
+TEST(NotationError, NumbersOfMotors) {
+  const auto one_of = [](const std::string& letter) {
+    return ": expected " + letter + " alone for the first motor, or the number of another motor " +
+           "behind it, from 2 to 6";
+  };
+  EXPECT_EQ(message("M-1-M0"), at("M-1-M0", 5, "'M0'" + one_of("M")));
+  EXPECT_EQ(message("M-1-M1"), at("M-1-M1", 5, "'M1'" + one_of("M")));
+  EXPECT_EQ(message("M-1-M7"), at("M-1-M7", 5, "'M7'" + one_of("M")));
+  EXPECT_EQ(message("M-1-P2x-2-F"), at("M-1-P2x-2-F", 5, "'P2x'" + one_of("P")));
+  EXPECT_EQ(message("M-1-T2-2-F"), at("M-1-T2-2-F", 5, "unknown token 'T2'" + expected_tokens));
+}
+
+TEST(NotationError, MotorGap) {
+  EXPECT_EQ(message("M-1-M3"),
+            "routing 'M-1-M3': motor 2 is missing (M2 or P2); motors are numbered 1 to 3 without a "
+            "gap");
+  EXPECT_EQ(
+      message("F-1-P2-2-F"),
+      "routing 'F-1-P2-2-F': motor 1 is missing (M or P); motors are numbered 1 to 2 without a "
+      "gap");
+}
+
 TEST(Notation, PrintsARatioInLowestTerms) {
   EXPECT_EQ(to_word(parse_routing("M-W1+1x-W1/12.5:20-2x")), "M-W1+1x-W1/5:8-2x");
   EXPECT_EQ(to_word(parse_routing("M-W1+1x-W1/3:3-2x")), "M-W1+1x-W1-2x");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "core/notation.hpp"
+#include "core/performance.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/random_routing.hpp"
 
@@ -252,6 +254,81 @@ TEST(Tension, ATendonWithTwoMotorSidesTakesUpTwice) {
 
 // ---- the solver as an object ----
 
+// ---- several motors ----
+
+Grasp carriages(std::array<double, 2> travel, Grasp grasp = {}) {
+  grasp.carriages.given = 2;
+  std::copy(travel.begin(), travel.end(), grasp.carriages.over_D.begin());
+  return grasp;
+}
+
+TEST(SeveralMotors, AreOneMotorIfTheirCarriagesTravelAlike) {
+  const TensionState one = Solved("M-1-P-2-M+3x-M", Hardware{}, hold({1})).state();
+  const TensionState several = Solved("M-1-P3-2-M2+3x-M", Hardware{}, hold({1})).state();
+  EXPECT_EQ(several.tension, one.tension);
+  EXPECT_EQ(several.slip, one.slip);
+  EXPECT_EQ(several.motor_work, 1);
+}
+
+TEST(SeveralMotors, OfSeparateTendonsShareTheTensionByTheTravelOfTheirCarriages) {
+  const double r = exp(-0.18 * 2 * pi);
+  const Solved solved("1x-M+2x-M2", Hardware{}, carriages({1, 0.5}));
+  EXPECT_DOUBLE_EQ(solved["a"], 2.0 / 3);
+  EXPECT_DOUBLE_EQ(solved["b"], 1.0 / 3);
+  EXPECT_DOUBLE_EQ(solved["T1"], 2 * r / 3);
+  EXPECT_DOUBLE_EQ(solved["T3"], r / 3);
+  EXPECT_EQ(solved.state().closing, (std::vector<double>{1, 0.5}));
+  EXPECT_DOUBLE_EQ(solved.state().motor_work, 2.0 / 3 + 0.5 / 3);
+  const Network network = expand(parse_routing("1x-M+2x-M2"));
+  EXPECT_DOUBLE_EQ(performance(network, solved.state()).efficiency, r);
+}
+
+TEST(SeveralMotors, ATendonWhoseCarriageStandsStillCarriesNothingAndDoesNotJam) {
+  const Solved solved("1x-M+2x-M2", Hardware{}, carriages({1, 0}, hold({2})));
+  EXPECT_FALSE(solved.state().jams);
+  EXPECT_EQ(solved["a"], 1);
+  EXPECT_EQ(solved["b"], 0);
+  EXPECT_EQ(solved["T3"], 0);
+  EXPECT_TRUE(Solved("1x-M+2x-M2", Hardware{}, carriages({1, 1}, hold({2}))).state().jams);
+}
+
+TEST(SeveralMotors, ThatPullAgainstEachOtherTurnTheTendonThroughAllContacts) {
+  const double s = exp(-0.18 * 2 * pi);
+  const double b = exp(-0.001 * pi);
+  for (const Grasp grasp : {Grasp{}, hold({1})}) {
+    const Solved solved("M-1b-M2", Hardware{}, carriages({1, -1}, grasp));
+    EXPECT_FALSE(solved.state().jams);
+    const double a = 1 / (1 + s * b * s);
+    EXPECT_DOUBLE_EQ(solved["a"], a);
+    EXPECT_DOUBLE_EQ(solved["T1"], a * s);
+    EXPECT_DOUBLE_EQ(solved["T2"], a * s * b);
+    EXPECT_DOUBLE_EQ(solved["b"], a * s * b * s);
+    EXPECT_EQ(solved.state().closing, std::vector<double>{0});
+    EXPECT_EQ(solved.state().slip, (std::vector<double>{-1, -1, -1}));
+    EXPECT_DOUBLE_EQ(solved.state().motor_work, a - solved["b"]);
+  }
+}
+
+TEST(SeveralMotors, ASecondCarriageThatStandsStillIsAFixedEndBehindItsSheath) {
+  Hardware hardware;
+  hardware.sheath.mu = 0.01;
+  const Solved solved("M-1-M2", hardware, carriages({1, 0}));
+  const Solved fixed("M-1-F", hardware, Grasp{});
+  EXPECT_NEAR(solved["T2"] / solved["T1"], fixed["T2"] / fixed["T1"], 1e-15);
+  EXPECT_EQ(solved.state().closing, std::vector<double>{0.5});
+  EXPECT_EQ(solved.state().slip.back(), 0);
+}
+
+TEST(SeveralMotors, ThatWouldOpenAFingerAreRefused) {
+  for (const std::string word : {"M-1-M2", "1x-M+2x-M2", "M-Y1+1x-Y1-2x+Y1-M2"}) {
+    EXPECT_EQ(testing::out_of_range([&] {
+                Solved(word, Hardware{}, carriages({-1, 0.5}));
+              }).substr(0, 58),
+              "held none@-1,0.5: the motor tension cannot be computed: a ")
+        << word;
+  }
+}
+
 TEST(TensionSolver, ReportsSlipAndClosing) {
   const TensionState state = Solved("M-1-T-2-M", Hardware{}, hold({1})).state();
   EXPECT_EQ(state.slip, (std::vector<double>{-1, -1, -1, 0, 1}));
@@ -274,7 +351,8 @@ TEST(TensionSolver, ForgetsTheNetworkBefore) {
 
 const std::string no_motor_tension =
     "held none: the motor tension cannot be computed: a tendon hangs on no motor, blocks are free to "
-    "move against each other, a finger would have to open, or friction is so strong that tensions "
+    "move against each other, a finger would have to open, carriages move unlike each "
+    "other beside a seized contact, or friction is so strong that tensions "
     "fall out of range";
 
 TEST(TensionSolver, NeedsAMotor) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "core/notation.hpp"
 #include "drawing/schematic/schematic_measures.hpp"
@@ -30,6 +31,28 @@ TEST(SchematicLayout, OfRandomRoutingsHasNothingOverAnything) {
     const Routing routing = testing::random_routing(dice, {1, 5, dice.chance(0.7), true});
     expect_sound(routing, testing::random_grasp(dice, finger_count(routing)));
   }
+}
+
+TEST(SchematicLayout, OfSeveralMotorsHasNothingOverAnything) {
+  for (std::uint64_t seed = 1; seed <= 200 && !::testing::Test::HasFailure(); ++seed) {
+    testing::Dice dice(seed);
+    const Routing routing =
+        testing::with_several_motors(dice, testing::random_routing(dice, {1, 5, true, true}));
+    expect_sound(routing, testing::random_grasp(dice, finger_count(routing)));
+  }
+}
+
+TEST(SchematicLayout, DrawsTheCarriageOfEachMotor) {
+  const auto motors = [](const std::string& word) {
+    std::vector<int> drawn;
+    const SchematicLayout all = layout(expand(parse_routing(word)), {"", "", {}, true, true});
+    for (const DrawnCarriage& carriage : all.carriages) drawn.push_back(carriage.motor);
+    return drawn;
+  };
+  EXPECT_EQ(motors("M-1-P-2-M"), std::vector<int>{1});
+  EXPECT_EQ(motors("1x-M2+2x-M+3x-M3"), (std::vector<int>{2, 1, 3}));
+  EXPECT_EQ(motors("M-1-P2-2-M"), (std::vector<int>{1, 2, 1}));
+  EXPECT_EQ(motors("F-1-F"), std::vector<int>{});
 }
 
 TEST(SchematicLayout, OfLargeHandsHasNothingOverAnything) {

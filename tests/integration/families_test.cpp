@@ -55,7 +55,8 @@ TEST(CheckOfAFamily, EndsWithOneOnlyOfWhatIsNotListed) {
 
 TEST(RankOfAFamily, RanksItsMechanismsWithSoManyFingersByTheirNames) {
   EXPECT_EQ(names(json_of({"rank", "--catalog", "--family", "hands", "--fingers", "4"})["designs"]),
-            (std::vector<std::string>{"LavalSerial", "OpenHandModelT", "SouthamptonHand"}));
+            (std::vector<std::string>{"LavalSerial", "OpenHandModelQ", "OpenHandModelT",
+                                      "SouthamptonHand"}));
   // PulleyTurn of the benches has the word of the single whip.
   const std::vector<std::string> tackles =
       names(json_of({"rank", "--catalog", "--family", "tackles", "--fingers", "1"})["designs"]);

@@ -47,6 +47,15 @@ void expect_the_same_tensions(const Routing& routing, const Hardware& hardware, 
   }
 }
 
+TEST(Mjcf, HasAnActuatorForEachMotor) {
+  SimulatedRig rig(mjcf(parse_routing("1x-M+2x-M2"), {}));
+  rig.pull(pull_N);
+  EXPECT_EQ(rig.warnings(), 0);
+  for (const auto& [segment, tension] : rig.tensions()) {
+    EXPECT_NEAR(tension, pull_N, 1e-2) << segment;
+  }
+}
+
 TEST(Mjcf, AtRestTheTensionsAreThoseWithoutFriction) {
   for (const char* word : {"TR1", "TR2", "TR3", "TR4", "TR5", "TR6", "TR7", "M-Y1+1x-Y1-2x",
                            "M-Y1+F-1-Y1-2-F", "M-Y1+Y2-Y1-Y3+1x-Y2-2x+3x-Y3-4x",

@@ -43,7 +43,7 @@ void SimulatedRig::activate(const std::string& name) {
 }
 
 void SimulatedRig::pull(double force_N, double seconds) {
-  data_->ctrl[id(model_.get(), mjOBJ_ACTUATOR, "motor")] = force_N;
+  for (int motor = 0; motor < model_->nu; ++motor) data_->ctrl[motor] = force_N;
   const double end = data_->time + seconds;
   while (data_->time < end) mj_step(model_.get(), data_.get());
 }

@@ -22,7 +22,8 @@ inline rc::Gen<Routing> any_routing(int most_fingers = 9) {
       rc::gen::pair(rc::gen::inRange(1, most_fingers + 1), rc::gen::arbitrary<std::uint64_t>()),
       [](const std::pair<int, std::uint64_t>& drawn) {
         Dice dice(drawn.second);
-        return random_routing(dice, {drawn.first, drawn.first, false, true});
+        return with_several_motors(dice,
+                                   random_routing(dice, {drawn.first, drawn.first, false, true}));
       });
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <tuple>
 #include <vector>
 
 #include "tests/property/any_routing.hpp"
@@ -56,6 +57,18 @@ Routing renamed(Routing routing, Dice& dice) {
   return routing;
 }
 
+Routing with_motors_renamed(Routing routing, Dice& dice) {
+  std::vector<std::uint8_t> names(static_cast<std::size_t>(carriage_count(routing)));
+  std::iota(names.begin(), names.end(), std::uint8_t{1});
+  dice.shuffle(names);
+  for (Tendon& tendon : routing.tendons) {
+    for (Token& token : tendon.walk) {
+      if (is_on_carriage(token.kind)) token.carriage = names[token.carriage - std::size_t{1}];
+    }
+  }
+  return routing;
+}
+
 Dice any_dice() { return Dice(*rc::gen::arbitrary<std::uint64_t>()); }
 
 RC_GTEST_PROP(CanonicalProperty, DoesNotDependOnHowTendonsAreWalkedAndListed, ()) {
@@ -73,6 +86,25 @@ RC_GTEST_PROP(CanonicalProperty, OfIdenticalFingersDoesNotDependOnTheirNames, ()
             canonical(routing, FingerIdentity::identical));
 }
 
+RC_GTEST_PROP(CanonicalProperty, OfIdenticalFingersDoesNotDependOnTheNamesOfMotors, ()) {
+  const Routing routing = *testing::any_routing();
+  Dice dice = any_dice();
+  RC_ASSERT(canonical(disguised(with_motors_renamed(routing, dice), dice),
+                      FingerIdentity::identical) == canonical(routing, FingerIdentity::identical));
+}
+
+RC_GTEST_PROP(CanonicalProperty, OfIdenticalFingersNumbersMotorsInTheOrderOfTheWord, ()) {
+  const Routing routing = canonical(*testing::any_routing(), FingerIdentity::identical);
+  int highest = 0;
+  for (const Tendon& tendon : routing.tendons) {
+    for (const Token& token : tendon.walk) {
+      if (!is_on_carriage(token.kind)) continue;
+      RC_ASSERT(token.carriage <= highest + 1);
+      highest = std::max<int>(highest, token.carriage);
+    }
+  }
+}
+
 RC_GTEST_PROP(CanonicalProperty, IsItsOwnCanonicalForm, ()) {
   const Routing routing = *testing::any_routing();
   for (const FingerIdentity identity : {FingerIdentity::identical, FingerIdentity::distinct}) {
@@ -82,18 +114,19 @@ RC_GTEST_PROP(CanonicalProperty, IsItsOwnCanonicalForm, ()) {
 }
 
 // What stands next to each finger, in either order.
-using Neighbours = std::map<int, std::vector<std::pair<TokenKind, int>>>;
+using Neighbours = std::map<int, std::vector<std::tuple<TokenKind, int, int>>>;
 
 void add_neighbours(const Tendon& tendon, Neighbours& neighbours) {
   const std::size_t n = tendon.walk.size();
   for (std::size_t i = 0; i < n; ++i) {
     if (tendon.walk[i].kind != TokenKind::finger) continue;
     for (const std::size_t j : {(i + n - 1) % n, (i + 1) % n}) {
-      neighbours[tendon.walk[i].finger].emplace_back(tendon.walk[j].kind, tendon.walk[j].finger);
+      neighbours[tendon.walk[i].finger].emplace_back(tendon.walk[j].kind, tendon.walk[j].finger,
+                                                     tendon.walk[j].carriage);
     }
     auto& both = neighbours[tendon.walk[i].finger];
     std::sort(both.begin(), both.end());
-    both.emplace_back(TokenKind::finger, static_cast<int>(tendon.walk[i].tip));
+    both.emplace_back(TokenKind::finger, static_cast<int>(tendon.walk[i].tip), 1);
   }
 }
 

@@ -68,6 +68,17 @@ TEST(SharedStates, LeaveOneTreeToWhoSolvesItAsAWhole) {
   EXPECT_FALSE(SharedStates{Hardware{}}.set_routing(parse_routing("M-1-T-2-F")));
 }
 
+TEST(SharedStates, AreNotOfGraspsThatGiveTheTravelsOfCarriages) {
+  const Routing routing = parse_routing("1x-M+2x-M2");
+  for (const std::string text : {"none@1,0.25/1@0,1", "none/1"}) {
+    const GraspSet grasps = parse_grasps(text, 2, 2);
+    DesignEvaluator plain(Hardware{}, grasps);
+    DesignEvaluator sharing(Hardware{}, grasps);
+    sharing.share_trees();
+    EXPECT_EQ(sharing.evaluate(routing), plain.evaluate(routing)) << text;
+  }
+}
+
 TEST(SharedStates, NeedFingersThatAreAlike) {
   Model model;
   EXPECT_TRUE(routings_share_states(model));

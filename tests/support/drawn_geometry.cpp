@@ -71,7 +71,9 @@ std::vector<Item> texts(const SchematicLayout& layout) {
     items.push_back({segment.name, segment.label});
   for (const DrawnText& drawn : layout.texts) items.push_back({drawn.text, drawn.box});
   for (const DrawnText& drawn : layout.legend.texts) items.push_back({drawn.text, drawn.box});
-  if (layout.motor.bottom > 0) items.push_back({"motor", layout.motor_text.box});
+  for (const DrawnCarriage& carriage : layout.carriages) {
+    items.push_back({"motor " + std::to_string(carriage.motor), carriage.text.box});
+  }
   return items;
 }
 
@@ -97,7 +99,9 @@ std::vector<Item> symbols(const SchematicLayout& layout) {
   for (std::size_t i = 0; i < layout.legend.items.size(); ++i) {
     items.push_back({"legend " + std::to_string(i), layout.legend.items[i].box});
   }
-  if (layout.motor.bottom > 0) items.push_back({"motor arrow", layout.motor});
+  for (const DrawnCarriage& carriage : layout.carriages) {
+    items.push_back({"motor arrow", carriage.arrow});
+  }
   return items;
 }
 
@@ -120,7 +124,9 @@ void expect_inside(const SchematicLayout& layout) {
     }
   }
   items.push_back({"hand", layout.hand});
-  items.push_back({"carriage", layout.carriage});
+  for (const DrawnCarriage& carriage : layout.carriages) {
+    items.push_back({"carriage", carriage.box});
+  }
   for (const DrawnFinger& finger : layout.fingers) items.push_back({"finger", finger.outline});
   for (const Item& item : items) {
     EXPECT_GE(item.box.left, 0) << item.name;

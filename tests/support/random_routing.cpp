@@ -1,6 +1,7 @@
 #include "tests/support/random_routing.hpp"
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -99,6 +100,20 @@ Routing random_routing(Dice& dice, const RoutingRange& range) {
     const bool loop = !fingers.empty() && dice.chance(0.35);
     routing.tendons.push_back(loop ? random_loop(dice, fingers) : random_open(dice, fingers));
     if (range.actuated) actuate(dice, routing.tendons.back());
+  }
+  return routing;
+}
+
+Routing with_several_motors(Dice& dice, Routing routing) {
+  const int most = dice.chance(0.4) ? 1 : dice.integer(2, 4);
+  std::map<int, std::uint8_t> number;  // of the carriages drawn, in the order of the word
+  for (Tendon& tendon : routing.tendons) {
+    for (Token& token : tendon.walk) {
+      if (!is_on_carriage(token.kind)) continue;
+      const int drawn = dice.integer(1, most);
+      const auto next = static_cast<std::uint8_t>(number.size() + 1);
+      token.carriage = number.emplace(drawn, next).first->second;
+    }
   }
   return routing;
 }

@@ -49,6 +49,9 @@ struct RoutingRange {
 // Open tendons and loops, all joins and ends, both tips, joins side by side, several tendons.
 Routing random_routing(Dice& dice, const RoutingRange& range = {});
 
+// The same on the carriages of up to four motors, numbered without a gap; often on one.
+Routing with_several_motors(Dice& dice, Routing routing);
+
 // Friction of every kind of contact (sometimes 0), lengths, closing weights, overrides for single
 // fingers and for single contacts of that network.
 Hardware random_hardware(Dice& dice, const Network& network);

@@ -15,6 +15,9 @@
 //     jammed pull      e0 = 0; E = 1 on motor-side segments
 //     jammed release   e0 = 0; E = L (the same strain) on all the others
 //
+// Carriages of several motors travel v_c D: in each line the +1 of a motor-side segment is v_c, and
+// E = max(0, -e0) but where a tendon jams. A tendon whose carriages stand still carries nothing.
+//
 // dl is shared among the closing fingers of a tendon by weight so that its e0 sums to zero; a
 // tendon without closing finger jams, and then the jammed tendons carry the whole motor tension.
 //
@@ -60,6 +63,8 @@ struct ReferenceHardware {
   std::map<int, double> closing_weight;
   /// Of a sheave of a floating block; the bearing's if it is not given.
   std::optional<ReferenceLaw> block = std::nullopt;
+  /// v_c, travel of carriage c over D; carriages that are not listed have 1.
+  std::map<int, double> carriage_travel = {};
 };
 
 enum class ReferenceDirection { pull, release };
@@ -83,11 +88,11 @@ struct ReferenceResult {
   std::map<int, double> closing;
 };
 
-/// `word` must be valid: tokens M F T B P, fingers, plain or with suffix b, 1x at an end, and
-/// blocks Y1, Y1k, W1, W1/2:1. Throws std::invalid_argument on any other token, on a tendon (a
-/// tree) without motor-side segment, and with blocks: on one without tail or without pass and
-/// becket or that hangs on itself, on a bar with more than one pass or with unequal arms in a loop,
-/// where the motion of the blocks is not determined and where it would open a finger.
+/// `word` must be valid: tokens M F T B P, M2 and P2 and so on, fingers, plain or with suffix b, 1x
+/// at an end, and blocks Y1, Y1k, W1, W1/2:1. Throws std::invalid_argument on any other token, on a
+/// tendon (a tree) without motor-side segment, and with blocks: on one without tail or without pass
+/// and becket or that hangs on itself, on a bar with more than one pass or with unequal arms in a
+/// loop, where the motion of the blocks is not determined and where it would open a finger.
 /// std::logic_error if the conditions could not be met.
 ReferenceResult reference_tensions(const std::string& word, const std::set<int>& held,
                                    ReferenceDirection direction, const ReferenceHardware& hardware);

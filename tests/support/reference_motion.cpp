@@ -66,22 +66,34 @@ Vector most_equal(const Vector& x, const Matrix& along, const Matrix& form) {
 
 Motion motion(const Tree& tree, const std::map<int, Real>& weights) {
   Motion found;
-  if (weights.empty()) return found;
   const Index blocks = tree.hangs.cols();
+  const bool lets_out = tree.motor.minCoeff() < 0;
+  if (tree.motor.isZero(0)) {
+    found.possible = true;
+    found.z = Vector::Zero(blocks);
+    return found;
+  }
+  if (weights.empty() && !lets_out) return found;
   const Constraints k = constraints(tree, weights);
+  if (k.rows.cols() == 0) {  // a tendon alone, whose fingers are held
+    if (tree.motor.sum() < 0)
+      throw std::invalid_argument("the reference model: a tendon is let out");
+    found.possible = tree.motor.sum() == 0;
+    return found;
+  }
   Eigen::FullPivLU<Matrix> factor(k.rows);
   factor.setThreshold(rank_tolerance);
   Vector x = factor.solve(k.travel);
   if (!solves(k, x)) return found;
   if (factor.dimensionOfKernel() > 0) x = most_equal(x, factor.kernel(), variance(blocks, weights));
-  const Real greatest = x.tail(x.size() - blocks).cwiseAbs().maxCoeff();
-  if (!(greatest > 1e-12L))
+  const Real greatest = weights.empty() ? 0 : x.tail(x.size() - blocks).cwiseAbs().maxCoeff();
+  if (!lets_out && !(greatest > 1e-12L))
     throw std::invalid_argument("the reference model: the carriage moves no finger");
   found.possible = true;
   found.z = x.head(blocks);
   Index at = blocks;
   for (const auto& [finger, w] : weights) {
-    if (x(at) < -1e-12L * greatest)
+    if (x(at) < -1e-12L * (lets_out ? 1 + greatest : greatest))
       throw std::invalid_argument("the reference model: finger " + std::to_string(finger) +
                                   " would have to open");
     found.closing[finger] = w * std::max(x(at++), Real(0));

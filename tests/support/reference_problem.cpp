@@ -44,7 +44,7 @@ Vector exponents(const Tendon& tendon, const ReferenceHardware& hardware) {
 Vector lengths(const Tendon& tendon, const ReferenceHardware& hardware) {
   Vector length(static_cast<Index>(tendon.segments.size()));
   for (std::size_t i = 0; i < tendon.segments.size(); ++i) {
-    const auto& [name, place, finger] = tendon.segments[i];
+    const auto& [name, place, finger, carriage] = tendon.segments[i];
     const double nominal = place == Place::strand       ? hardware.strand_length
                            : place == Place::motor_side ? hardware.motor_side_length
                                                         : hardware.hand_length;
@@ -52,6 +52,12 @@ Vector lengths(const Tendon& tendon, const ReferenceHardware& hardware) {
         hardware.length_override ? hardware.length_override(name, nominal) : nominal;
   }
   return length;
+}
+
+Real travel(const Segment& segment, const ReferenceHardware& hardware) {
+  if (segment.place != Place::motor_side) return 0;
+  const auto found = hardware.carriage_travel.find(segment.carriage);
+  return found == hardware.carriage_travel.end() ? Real(1) : static_cast<Real>(found->second);
 }
 
 double weight(int finger, const ReferenceHardware& hardware) {
@@ -86,32 +92,38 @@ Vector zero_order_slips(const Vector& e0, const Vector& phi, bool loop) {
   return slip.unaryExpr([noise](Real s) { return std::abs(s) <= noise ? Real(0) : s; });
 }
 
-void impose_jam(const Tendon& tendon, ReferenceDirection direction, Problem& problem) {
+void impose_jam(const Tendon& tendon, ReferenceDirection direction,
+                const ReferenceHardware& hardware, Problem& problem) {
   problem.jams = true;
   problem.slip.setZero(problem.phi.size());
   for (Index i = 0; i < problem.elastic.size(); ++i) {
-    const bool motor_side = tendon.segments[static_cast<std::size_t>(i)].place == Place::motor_side;
+    const Segment& segment = tendon.segments[static_cast<std::size_t>(i)];
     const bool pull = direction == ReferenceDirection::pull;
-    problem.elastic(i) = motor_side != pull ? Real(0) : pull ? Real(1) : problem.length(i);
+    const bool hand_side = segment.place != Place::motor_side;
+    problem.elastic(i) = pull ? travel(segment, hardware) : hand_side ? problem.length(i) : Real(0);
   }
 }
 
 // e0 is built in units of 1 / (the weights of all closing strands), in which it is exact, and
 // divided afterwards.
 void impose_motion(const Tendon& tendon, const std::map<int, Real>& weights, Real motor_sides,
-                   ReferenceDirection direction, Problem& problem) {
+                   ReferenceDirection direction, const ReferenceHardware& hardware,
+                   Problem& problem) {
   const bool pull = direction == ReferenceDirection::pull;
   Real unit = 0;
   for (const auto& segment : tendon.segments)
     if (const auto closing = weights.find(segment.finger); closing != weights.end())
       unit += closing->second;
+  if (weights.empty()) unit = 1;
   Vector e0 = Vector::Zero(problem.elastic.size());
   for (Index i = 0; i < e0.size(); ++i) {
-    const auto& [name, place, finger] = tendon.segments[static_cast<std::size_t>(i)];
+    const Segment& segment = tendon.segments[static_cast<std::size_t>(i)];
+    const int finger = segment.finger;
     const auto closing = weights.find(finger);
-    if (place == Place::motor_side) {
-      e0(i) = pull ? unit : -unit;
-      problem.elastic(i) = pull ? 0 : 1;
+    if (segment.place == Place::motor_side) {
+      const Real way = pull ? travel(segment, hardware) : -travel(segment, hardware);
+      e0(i) = way * unit;
+      problem.elastic(i) = way < 0 ? -way : 0;
     } else if (closing != weights.end()) {
       const Real give = motor_sides * closing->second;
       e0(i) = pull ? -give : give;
@@ -134,15 +146,18 @@ Problem pose(const Tendon& tendon, const std::set<int>& held, ReferenceDirection
   const auto motor_sides =
       std::count_if(tendon.segments.begin(), tendon.segments.end(),
                     [](const Segment& s) { return s.place == Place::motor_side; });
+  Real motor_travel = 0;
+  for (const Segment& segment : tendon.segments) motor_travel += travel(segment, hardware);
+  if (motor_travel < 0) throw std::invalid_argument("a finger would have to open");
   if (motor_sides == 0) throw std::invalid_argument("a tendon has no motor-side segment");
   std::map<int, Real> weights;
   for (const int finger : tendon.fingers)
     if (!held.contains(finger) && weight(finger, hardware) > 0)
       weights[finger] = weight(finger, hardware);
-  if (weights.empty())
-    impose_jam(tendon, direction, problem);
+  if (weights.empty() && motor_travel > 0)
+    impose_jam(tendon, direction, hardware, problem);
   else
-    impose_motion(tendon, weights, static_cast<Real>(motor_sides), direction, problem);
+    impose_motion(tendon, weights, motor_travel, direction, hardware, problem);
   return problem;
 }
 

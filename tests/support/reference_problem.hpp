@@ -27,6 +27,9 @@ struct Problem {
 Vector lengths(const Tendon& tendon, const ReferenceHardware& hardware);
 Vector exponents(const Tendon& tendon, const ReferenceHardware& hardware);
 
+// v_c; 0 of a segment that is no motor side.
+Real travel(const Segment& segment, const ReferenceHardware& hardware);
+
 double weight(int finger, const ReferenceHardware& hardware);
 
 // The c that minimises sum_k phi_k |slip_k + c| over the contacts with friction; the middle of them

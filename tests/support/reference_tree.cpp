@@ -106,7 +106,8 @@ class TreeBuilder {
     for (Index i = 0; i < span.segments; ++i) {
       const Segment& segment = tendon.segments[static_cast<std::size_t>(i)];
       tree_.finger.push_back(segment.finger);
-      tree_.motor(span.segment + i) = segment.place == Place::motor_side ? 1 : 0;
+      tree_.motor_side.push_back(segment.place == Place::motor_side);
+      tree_.motor(span.segment + i) = travel(segment, hardware_);
     }
     add_contacts(tendon, span);
     hang(tendon, span);
@@ -169,8 +170,8 @@ void impose_jam(ReferenceDirection direction, Tree& tree) {
   tree.jams = true;
   const bool pull = direction == ReferenceDirection::pull;
   for (Index i = 0; i < tree.length.size(); ++i) {
-    const bool motor_side = tree.motor(i) > 0;
-    tree.elastic(i) = motor_side != pull ? Real(0) : pull ? Real(1) : tree.length(i);
+    const bool hand_side = !tree.motor_side[static_cast<std::size_t>(i)];
+    tree.elastic(i) = pull ? tree.motor(i) : hand_side ? tree.length(i) : Real(0);
   }
 }
 
@@ -182,7 +183,8 @@ void impose_motion(const Motion& found, ReferenceDirection direction, Tree& tree
     const auto finger = tree.closing.find(tree.finger[static_cast<std::size_t>(i)]);
     const Real give = finger == tree.closing.end() ? 0 : finger->second;
     e0(i) -= give;
-    tree.elastic(i) = pull ? give : tree.motor(i);
+    const Real way = pull ? tree.motor(i) - give : give - tree.motor(i);
+    tree.elastic(i) = way < 0 ? -way : 0;
   }
   set_slips(pull ? e0 : -e0, tree);
 }
@@ -204,7 +206,7 @@ std::vector<Tree> pose_trees(const std::vector<Tendon>& tendons, const std::set<
   std::vector<Tree> trees;
   for (const Group& group : joined_tendons(tendons)) {
     Tree tree = TreeBuilder(tendons, hardware).build(group);
-    if (!(tree.motor.sum() > 0))
+    if (std::count(tree.motor_side.begin(), tree.motor_side.end(), true) == 0)
       throw std::invalid_argument("the reference model: a tree has no motor-side segment");
     const Motion found = motion(tree, closing_weights(tree, held, hardware));
     if (found.possible)

@@ -39,11 +39,13 @@ struct Span {
 struct Tree {
   std::vector<Span> spans;
   std::vector<TreeContact> contacts;
-  std::vector<int> finger;      // of each segment; 0 if it is no strand
-  Vector length, motor, c;      // motor: 1 on motor-side segments
-  Vector elastic;               // E
-  Matrix hangs;                 // C: a row for each segment, a column for each block
-  std::map<int, Real> closing;  // dl of the fingers that close; empty if the tree jams
+  std::vector<int> finger;  // of each segment; 0 if it is no strand
+  Vector length, c;
+  Vector motor;                  // travel of the carriage of motor-side segments
+  std::vector<bool> motor_side;  // whether each segment is one
+  Vector elastic;                // E
+  Matrix hangs;                  // C: a row for each segment, a column for each block
+  std::map<int, Real> closing;   // dl of the fingers that close; empty if the tree jams
   bool jams = false;
 };
 

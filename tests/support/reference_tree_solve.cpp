@@ -56,9 +56,10 @@ ReferenceResult solve_trees(const std::vector<Tendon>& tendons, const std::set<i
   std::vector<Vector> absolute;
   Real motor = 0;
   for (const Tree& tree : trees) {
-    absolute.push_back(tree.jams == result.jams ? tree_tensions(tree)
-                                                : Vector::Zero(tree.length.size()));
-    motor += tree.motor.dot(absolute.back());
+    const bool carries = tree.jams == result.jams && !tree.elastic.isZero(0);
+    absolute.push_back(carries ? tree_tensions(tree) : Vector::Zero(tree.length.size()));
+    for (Index i = 0; i < tree.length.size(); ++i)
+      if (tree.motor_side[static_cast<std::size_t>(i)]) motor += absolute.back()(i);
   }
   PerTendon contacts(tendons.size());
   for (std::size_t t = 0; t < trees.size(); ++t) {

@@ -22,6 +22,12 @@ int finger_of(const std::string& token) {
 
 bool is_anchored(const std::string& token) { return finger_of(token) != 0 && token.back() == 'x'; }
 
+bool is_on_carriage(const std::string& token, char letter) {
+  return token.at(0) == letter && (token.size() == 1 || (token.size() == 2 && token[1] > '1'));
+}
+
+int carriage_of(const std::string& token) { return token.size() == 1 ? 1 : token[1] - '0'; }
+
 bool is_block(const std::string& token) { return token.at(0) == 'Y' || token.at(0) == 'W'; }
 
 std::string tip_kind(const std::string& token) { return token.back() == 'b' ? "bearing" : "tube"; }
@@ -47,17 +53,17 @@ class Reader {
     Tendon tendon;
     tendon.loop = tokens.size() > 1 && finger_of(tokens.front()) != 0 &&
                   !is_anchored(tokens.front()) && tokens.front() == tokens.back();
-    if (tokens.front() == "M") {
-      tendon.segments.push_back(motor_side());
+    if (is_on_carriage(tokens.front(), 'M')) {
+      tendon.segments.push_back(motor_side(tokens.front()));
       tendon.kinds.emplace_back("sheath");
     }
     for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
       if (i > 0) pass(tokens[i], tendon);
       tendon.segments.push_back(stretch(tokens[i], tokens[i + 1]));
     }
-    if (tokens.back() == "M") {
+    if (is_on_carriage(tokens.back(), 'M')) {
       tendon.kinds.emplace_back("sheath");
-      tendon.segments.push_back(motor_side());
+      tendon.segments.push_back(motor_side(tokens.back()));
     }
     tie(tokens.front(), 0, tendon);
     tie(tokens.back(), tendon.segments.size() - 1, tendon);
@@ -109,15 +115,17 @@ class Reader {
       tendon.kinds.emplace_back("tube");
     } else if (token == "B") {
       tendon.kinds.emplace_back("bearing");
-    } else if (token == "P") {
+    } else if (is_on_carriage(token, 'P')) {
       for (const char* kind : {"sheath", "bearing", "sheath"}) tendon.kinds.emplace_back(kind);
-      for (int side = 0; side < 2; ++side) tendon.segments.push_back(motor_side());
+      for (int side = 0; side < 2; ++side) tendon.segments.push_back(motor_side(token));
     } else {
       unknown(token);
     }
   }
 
-  Segment motor_side() { return {letters(motor_sides_++), Place::motor_side, 0}; }
+  Segment motor_side(const std::string& token) {
+    return {letters(motor_sides_++), Place::motor_side, 0, carriage_of(token)};
+  }
 
   Segment stretch(const std::string& before, const std::string& after) {
     if (const int f = finger_of(before))

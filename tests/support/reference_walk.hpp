@@ -13,7 +13,8 @@ enum class Place { strand, motor_side, hand };
 struct Segment {
   std::string name;
   Place place;
-  int finger;  // 0 if it is no strand
+  int finger;        // 0 if it is no strand
+  int carriage = 0;  // of motor sides
 };
 
 // A tendon round a sheave of a block, or over the arms of a bar.

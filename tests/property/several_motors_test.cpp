@@ -1,0 +1,229 @@
+// Routings of several motors, whose carriages move as the grasp says, against the independent
+// solver.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/notation.hpp"
+#include "core/performance.hpp"
+#include "core/tension/tension.hpp"
+#include "tests/property/observed_state.hpp"
+#include "tests/support/random_mechanism.hpp"
+#include "tests/support/random_routing.hpp"
+#include "tests/support/reference_comparison.hpp"
+
+namespace reeve {
+namespace {
+
+using testing::Dice;
+using testing::ReferenceDirection;
+using testing::ReferenceHardware;
+using testing::ReferenceResult;
+
+// Quarters add up to exactly nothing often enough.
+CarriageTravels random_travels(Dice& dice, int motors) {
+  CarriageTravels travels;
+  if (motors == 2 && dice.chance(0.3)) return {2, {0.5, -0.5, 1, 1, 1, 1}};
+  for (int motor = 0; motor < motors; ++motor) {
+    travels.over_D[travels.given++] = 0.25 * dice.integer(-4, 8);
+  }
+  return travels;
+}
+
+ReferenceHardware laws_at_random(Dice& dice) {
+  const auto law = [&] {
+    return testing::ReferenceLaw{dice.chance(0.15) ? 0 : dice.log_real(1e-3, 0.4),
+                                 dice.real(0.5, 6)};
+  };
+  ReferenceHardware hardware{law(),
+                             law(),
+                             law(),
+                             dice.log_real(20, 500),
+                             dice.log_real(20, 500),
+                             dice.log_real(20, 500),
+                             {},
+                             {},
+                             {},
+                             {}};
+  for (int finger = 1; finger <= 9; ++finger) {
+    hardware.closing_weight[finger] = dice.chance(0.5) ? 1 : dice.log_real(0.2, 5);
+  }
+  return hardware;
+}
+
+Mechanics mechanics_under(const Network& network, const ReferenceHardware& laws) {
+  Hardware hardware;
+  hardware.tube = {laws.tube.mu, laws.tube.angle};
+  hardware.bearing = {laws.bearing.mu, laws.bearing.angle};
+  hardware.sheath = {laws.sheath.mu, laws.sheath.angle};
+  hardware.strand_mm = laws.strand_length;
+  hardware.motor_side_mm = laws.motor_side_length;
+  hardware.hand_mm = laws.hand_length;
+  Mechanics result = mechanics(network, hardware);
+  for (int finger = 1; finger <= network.fingers; ++finger) {
+    result.closing[static_cast<std::size_t>(finger) - 1] = laws.closing_weight.at(finger);
+  }
+  return result;
+}
+
+struct MotorTrial {
+  std::string word;
+  Grasp grasp;
+  Direction direction = Direction::pull;
+  ReferenceHardware laws;
+};
+
+std::string to_text(const MotorTrial& trial) {
+  return trial.word + ", held " + to_text(trial.grasp) +
+         (trial.direction == Direction::pull ? ", pulled" : ", released");
+}
+
+MotorTrial random_motor_trial(Dice& dice, const Routing& one_motor) {
+  MotorTrial trial;
+  const Routing routing = testing::with_several_motors(dice, one_motor);
+  trial.word = to_word(routing);
+  trial.grasp = testing::random_grasp(dice, finger_count(routing));
+  trial.grasp.carriages = random_travels(dice, carriage_count(routing));
+  trial.direction = dice.chance(0.7) ? Direction::pull : Direction::release;
+  trial.laws = laws_at_random(dice);
+  for (int motor = 1; motor <= trial.grasp.carriages.given; ++motor) {
+    trial.laws.carriage_travel[motor] = trial.grasp.travel(motor);
+  }
+  return trial;
+}
+
+struct SeenMotors {
+  int solved = 0;
+  int jams = 0;
+  int released = 0;
+  int lets_out = 0;      // a carriage pulls, another lets out
+  int turns = 0;         // … and no finger closes
+  int stands_still = 0;  // a carriage
+  int refused = 0;
+  int unsolved = 0;  // by the library alone
+};
+
+bool lets_out(const Grasp& grasp) {
+  const std::vector<double> travels = carriage_travels(grasp);
+  return *std::min_element(travels.begin(), travels.end()) < 0;
+}
+
+void count(const MotorTrial& trial, const TensionState& state, SeenMotors& seen) {
+  const std::vector<double> travels = carriage_travels(trial.grasp);
+  ++seen.solved;
+  seen.jams += state.jams;
+  seen.released += trial.direction == Direction::release;
+  seen.lets_out += lets_out(trial.grasp);
+  seen.turns += lets_out(trial.grasp) && !state.jams &&
+                std::count(state.closing.begin(), state.closing.end(), 0.0) ==
+                    static_cast<std::ptrdiff_t>(state.closing.size());
+  seen.stands_still += std::count(travels.begin(), travels.end(), 0.0) > 0;
+}
+
+void compare(const MotorTrial& trial, SeenMotors& seen) {
+  const Network network = expand(parse_routing(trial.word));
+  const Mechanics m = mechanics_under(network, trial.laws);
+  TensionState state;
+  TensionSolver().solve(network, m, trial.grasp, trial.direction, state);
+  const std::vector<int> held = held_fingers(trial.grasp);
+  const auto reference = [&] {
+    return testing::reference_tensions(
+        trial.word, {held.begin(), held.end()},
+        trial.direction == Direction::pull ? ReferenceDirection::pull : ReferenceDirection::release,
+        trial.laws);
+  };
+  if (!state.in_range) {
+    try {
+      const ReferenceResult found = reference();
+      const bool pulls = std::any_of(found.tension.begin(), found.tension.end(),
+                                     [](const auto& tension) { return tension.second > 0; });
+      const bool jams_in_a_tree = found.jams && !network.blocks.empty() && lets_out(trial.grasp);
+      ++(pulls && !jams_in_a_tree ? seen.unsolved : seen.refused);
+    } catch (const std::exception&) {  // or no state meets the conditions of either
+      ++seen.refused;
+    }
+    return;
+  }
+  const testing::ComparisonTolerance tight{1e-9, 1e-15, 1e-9};
+  EXPECT_EQ(
+      testing::disagreement(trial.word, reference(), testing::observed(network, m, state), tight),
+      "");
+  count(trial, state, seen);
+}
+
+void expect_all_seen(const SeenMotors& seen, int trials) {
+  for (const int cases : {seen.jams, seen.released, seen.lets_out, seen.stands_still}) {
+    EXPECT_GT(cases, trials / 100);
+  }
+  EXPECT_GT(seen.turns, 5);
+  EXPECT_GT(seen.solved, trials / 2);
+  EXPECT_EQ(seen.unsolved, 0);
+}
+
+TEST(SeveralMotorsProperty, TensionsSlipsAndClosingsAreThoseOfAnIndependentSolver) {
+  constexpr int trials = 1500;
+  SeenMotors seen;
+  for (std::uint64_t seed = 1; seed <= trials; ++seed) {
+    Dice dice(seed);
+    const MotorTrial trial =
+        random_motor_trial(dice, testing::random_routing(dice, {1, 4, true, true}));
+    SCOPED_TRACE(std::to_string(seed) + ": " + to_text(trial));
+    compare(trial, seen);
+    if (::testing::Test::HasFailure()) return;
+  }
+  expect_all_seen(seen, trials);
+}
+
+TEST(SeveralMotorsProperty, TreesAndTacklesAreThoseOfAnIndependentSolver) {
+  constexpr int trials = 3000;
+  SeenMotors seen;
+  for (std::uint64_t seed = 1; seed <= trials; ++seed) {
+    Dice dice(seed);
+    const MotorTrial trial =
+        random_motor_trial(dice, parse_routing(testing::random_mechanism(dice)));
+    SCOPED_TRACE(std::to_string(seed) + ": " + to_text(trial));
+    compare(trial, seen);
+    if (::testing::Test::HasFailure()) return;
+  }
+  expect_all_seen(seen, trials);
+}
+
+// Σ T_i dl_i + Σ friction force × slip = Σ_c T_Mc D_c.
+TEST(SeveralMotorsProperty, EfficiencyIsOneWithoutFrictionAndLessWithIt) {
+  int without = 0;
+  int with = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Dice dice(seed);
+    MotorTrial trial = random_motor_trial(dice, testing::random_routing(dice, {1, 4, true, true}));
+    trial.direction = Direction::pull;
+    if (seed % 2 == 0) trial.laws.tube.mu = trial.laws.bearing.mu = trial.laws.sheath.mu = 0;
+    const Network network = expand(parse_routing(trial.word));
+    TensionState state;
+    TensionSolver().solve(network, mechanics_under(network, trial.laws), trial.grasp,
+                          Direction::pull, state);
+    if (!state.in_range || state.jams) continue;
+    SCOPED_TRACE(std::to_string(seed) + ": " + to_text(trial));
+    const double efficiency = performance(network, state).efficiency;
+    const bool closes = *std::max_element(state.closing.begin(), state.closing.end()) > 0;
+    if (!closes) {
+      EXPECT_EQ(efficiency, 0);
+    } else if (seed % 2 == 0) {
+      ++without;
+      EXPECT_NEAR(efficiency, 1, 1e-12);
+    } else {
+      ++with;
+      EXPECT_LE(efficiency, 1 + 1e-12);
+    }
+  }
+  EXPECT_GT(without, 30);
+  EXPECT_GT(with, 30);
+}
+
+}  // namespace
+}  // namespace reeve

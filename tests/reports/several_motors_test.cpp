@@ -1,0 +1,55 @@
+// What reports say of routings with several motors.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/notation.hpp"
+#include "reports/mujoco/mjcf.hpp"
+#include "reports/shared_carriage.hpp"
+#include "reports/show_report.hpp"
+#include "tests/support/has.hpp"
+
+namespace reeve {
+namespace {
+
+ShownRouting shown(const std::string& word, const std::string& grasps) {
+  const Routing routing = parse_routing(word);
+  return shown_routing(routing, {},
+                       parse_grasps(grasps, finger_count(routing), carriage_count(routing)),
+                       Direction::pull, {});
+}
+
+TEST(ShowJson, HasTheTensionOfEachMotorAndHowItsCarriageTravels) {
+  const Json json = to_json(shown("1x-M+2x-M2", "none@1,0.5/none"));
+  EXPECT_EQ(json["grasps"][0]["carriages"].dump(), "[1.0,0.5]");
+  EXPECT_NEAR(json["grasps"][0]["motors"][0], 2.0 / 3, 1e-15);
+  EXPECT_NEAR(json["grasps"][0]["motors"][1], 1.0 / 3, 1e-15);
+  EXPECT_FALSE(json["grasps"][1].contains("carriages"));
+  EXPECT_EQ(json["grasps"][1]["motors"].dump(), "[0.5,0.5]");
+  EXPECT_EQ(json["motor_sides"][1]["motor"], 2);
+}
+
+TEST(ShowJson, SaysNothingOfMotorsIfThereIsOne) {
+  const Json json = to_json(shown("1x-M+2x-M", "none"));
+  EXPECT_FALSE(json["grasps"][0].contains("motors"));
+  EXPECT_FALSE(json["motor_sides"][0].contains("motor"));
+}
+
+TEST(SharedCarriage, NamesTheCarriagesOfSeveralMotors) {
+  EXPECT_TRUE(
+      has(shared_carriage_text(expand(parse_routing("1x-M+2x-M2"))),
+          "2 tendons hang on 2 carriages, which travel alike unless a grasp says otherwise"));
+}
+
+TEST(Mjcf, HasABodyAndAnActuatorForEachMotor) {
+  const std::string two = mjcf(parse_routing("1x-M+2x-M2"), {});
+  for (const char* part :
+       {"<body name=\"carriage\"", "<body name=\"carriage_2\"",
+        "<motor name=\"motor\" joint=\"carriage\"", "<motor name=\"motor_2\" joint=\"carriage_2\"",
+        "ctrl=\"10 10\"", "Each motor pulls with the same force"}) {
+    EXPECT_TRUE(has(two, part)) << part;
+  }
+}
+
+}  // namespace
+}  // namespace reeve
