@@ -178,7 +178,7 @@ class Cause {
 
   virtual const char* name() const = 0;
   virtual Reach reach() const = 0;
-  virtual const char* meaning() const = 0;  // for a person: "the tubes' friction is another one"
+  virtual const char* meaning() const = 0;  // for a person: "the friction of the tubes differs"
   // `hardware` is the one that the effect is seen against. No parameters: it is there or not.
   virtual std::vector<Parameter> parameters(const Hardware& hardware) const = 0;
   virtual std::vector<Subject> subjects(const Survey& survey) const = 0;

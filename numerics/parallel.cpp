@@ -31,8 +31,8 @@ int thread_count(int wanted) { return wanted > 0 ? wanted : tbb::info::default_c
 
 using Work = std::function<void(const IndexBlock&)>;
 
-// The blocks of one call, in their order: whoever is free takes the next one. Who comes late finds
-// none left, and needs nothing but this.
+// The blocks of one call, in their order: a thread that is free takes the next one. A thread that
+// starts after the last block was taken does nothing.
 class Blocks {
  public:
   Blocks(std::size_t size, std::size_t grain, const Work& work, const std::atomic<bool>* stop)

@@ -18,7 +18,7 @@ class Hysteresis final : public Cause {
   const char* name() const override { return "hysteresis"; }
   Reach reach() const override { return Reach::conditions; }
   const char* meaning() const override {
-    return "friction of tubes and sheaths is another one when releasing";
+    return "friction of tubes and sheaths differs when releasing";
   }
   std::vector<Parameter> parameters(const Hardware&) const override {
     return {{"change", "1", 0, {-0.9, 4}, std::nullopt}};

@@ -27,8 +27,8 @@ bool counts_cost(const Score& score) {
 void LadderFlags::add_to(CLI::App& command) {
   by_given_ = command
                   .add_option("--ladder", by,
-                              "What more of it buys is shown: the best design with at most one, "
-                              "two, …; cost where --cost is given")
+                              "Show the best design with at most one, two, … of these; cost "
+                              "where --cost is given")
                   ->check(CLI::IsMember(ladder_measures()))
                   ->capture_default_str();
   command

@@ -56,7 +56,7 @@ class Ranking(SavedResult):
     front : pandas.DataFrame
         Those that no other beats in every objective.
     ladder : pandas.DataFrame
-        What more parts buy.
+        Best designs with at most so many parts.
     """
 
     @property
@@ -96,7 +96,7 @@ class Ranking(SavedResult):
         html = str(table.to_html(index=False))
         ladder = self.ladder
         if len(ladder):
-            html += "<p>What more parts buy:</p>" + str(ladder.to_html(index=False))
+            html += "<p>Best designs with at most so many parts:</p>" + str(ladder.to_html(index=False))
         return html
 
 

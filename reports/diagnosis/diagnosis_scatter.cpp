@@ -189,12 +189,11 @@ std::vector<std::string> not_named_sentences(const DiagnosisResult& result) {
 std::string beside_hardware(const CalibratedCoefficient& coefficient) {
   const EstimatedParameter& parameter = coefficient.parameter;
   const std::string hardware = estimate(parameter, *parameter.nominal);
-  if (coefficient.differs) return fmt::format("another than the hardware says ({})", hardware);
+  if (coefficient.differs) return fmt::format("differs from the hardware ({})", hardware);
   const bool inside = parameter.low <= *parameter.nominal && *parameter.nominal <= parameter.high;
-  if (inside) return fmt::format("as the hardware says ({})", hardware);
-  return fmt::format(
-      "perhaps another than the hardware says ({}), too little to name it (p = {:.2g})", hardware,
-      coefficient.p_value);
+  if (inside) return fmt::format("agrees with the hardware ({})", hardware);
+  return fmt::format("perhaps differs from the hardware ({}), too little to name it (p = {:.2g})",
+                     hardware, coefficient.p_value);
 }
 
 std::vector<std::string> coefficient_sentences(const DiagnosisResult& result) {

@@ -24,10 +24,10 @@ Json mountings_json(const DiagnosisResult& result);
 // Why what looked likely is not named; none if nothing was dropped.
 std::vector<std::string> not_named_sentences(const DiagnosisResult& result);
 
-// "as the hardware says (0.180)"; of one whose interval leaves the hardware's value out, but which
-// is no named cause, that.
+// "agrees with the hardware (0.180)"; of one whose interval leaves the hardware's value out, but
+// which is no named cause, that.
 std::string beside_hardware(const CalibratedCoefficient& coefficient);
-// "tube_friction: mu = 0.176 (0.165 to 0.187), as the hardware says (0.180)"
+// "tube_friction: mu = 0.176 (0.165 to 0.187), agrees with the hardware (0.180)"
 std::vector<std::string> coefficient_sentences(const DiagnosisResult& result);
 Json coefficients_json(const DiagnosisResult& result);
 

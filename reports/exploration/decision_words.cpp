@@ -22,27 +22,22 @@ constexpr std::size_t named_at_most = 4;
 struct MeasureWords {
   Objective measure;
   const char* one;     // "sheath"; "" of what is not counted
-  const char* more;    // "more sheaths"
+  const char* plural;  // "sheaths"
   const char* fewest;  // "fewest sheaths"
   const char* less;    // "fewer sheaths"
 };
 
 constexpr MeasureWords measures[] = {
-    {Objective::sheaths, "sheath", "more sheaths", "fewest sheaths", "fewer sheaths"},
-    {Objective::blocks, "floating block", "more floating blocks", "fewest floating blocks",
+    {Objective::sheaths, "sheath", "sheaths", "fewest sheaths", "fewer sheaths"},
+    {Objective::blocks, "floating block", "floating blocks", "fewest floating blocks",
      "fewer floating blocks"},
-    {Objective::pulleys, "pulley", "more pulleys", "fewest pulleys", "fewer pulleys"},
-    {Objective::parts, "part", "more parts", "fewest parts", "fewer parts"},
-    {Objective::cost, "", "a higher cost", "least cost", "a lower cost"}};
+    {Objective::pulleys, "pulley", "pulleys", "fewest pulleys", "fewer pulleys"},
+    {Objective::parts, "part", "parts", "fewest parts", "fewer parts"},
+    {Objective::cost, "", "cost", "least cost", "a lower cost"}};
 
 const MeasureWords& words_of(Objective measure) {
   return *std::find_if(std::begin(measures), std::end(measures),
                        [&](const MeasureWords& words) { return words.measure == measure; });
-}
-
-// "more sheaths buy"
-std::string buys(Objective measure) {
-  return fmt::format("{} buy{}", words_of(measure).more, measure == Objective::cost ? "s" : "");
 }
 
 std::string value_text(Objective objective, const ObjectiveValues& values,
@@ -214,8 +209,8 @@ std::string within_text(const LadderOptions& options) {
 
 std::string ladder_title(const Ladder& ladder) {
   const ObjectiveRow& about = row(ladder.options.by);
-  return fmt::format("What {}: the best design with at most so {}", buys(ladder.options.by),
-                     about.is_count() ? "many" : "much");
+  return fmt::format("Best design with at most so {} {}", about.is_count() ? "many" : "much",
+                     words_of(ladder.options.by).plural);
 }
 
 std::string advised_text(const LadderOptions& options) {

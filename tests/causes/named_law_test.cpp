@@ -61,7 +61,8 @@ TEST_F(NamedLaws, HaveMiddleAndRangeOfTheExperimentUnlessTheyAreSet) {
   EXPECT_EQ(x.seen.low, 0.6);
   EXPECT_EQ(x.seen.high, 60);
   x = term("law[offset of T1, run, step]").x;
-  EXPECT_EQ(x.seen.high, 11);
+  EXPECT_EQ(x.seen.low, 1);
+  EXPECT_EQ(x.seen.high, 12);
   x = term("law[exponent of sheath, humidity_pct, linear]", {{"middle", "40"}, {"range", "30:60"}})
           .x;
   EXPECT_EQ(x.middle, 40);

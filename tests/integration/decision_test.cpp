@@ -156,7 +156,7 @@ TEST(Constraints, ThatNothingMeetsTogetherSayWhatGivesWay) {
 
 TEST(RankLadder, IsOfTheRoutingsThatAreGiven) {
   const ProcessResult result = reeve("rank --catalog");
-  EXPECT_TRUE(says(result, "What more sheaths buy: the best design with at most so many\n"));
+  EXPECT_TRUE(says(result, "Best design with at most so many sheaths\n"));
   EXPECT_TRUE(says(result, "No design within 2 % of it has fewer sheaths\n"));
   EXPECT_FALSE(says(reeve("rank TR1"), "First:"));
   const TemporaryFolder folder;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/hand_closing.hpp"
+#include "core/motor_sides.hpp"
 #include "core/notation.hpp"
 #include "core/tension/tension.hpp"
 #include "tests/mujoco/simulated_rig.hpp"
@@ -39,11 +40,13 @@ void expect_the_same_tensions(const Routing& routing, const Hardware& hardware, 
   const TensionState state =
       tensions(network, mechanics(network, without_friction(hardware)), grasp);
   const auto simulated = rig.tensions();
+  // Each motor pulls; tensions are for 1 N of all.
+  const double pulls_N = pull_N * carriage_count(network);
   EXPECT_EQ(simulated.size(), network.segments.size());
   for (std::size_t k = 0; k < network.segments.size(); ++k) {
     const std::string name = segment_name(network.segments[k]);
     ASSERT_TRUE(simulated.contains(name)) << name;
-    EXPECT_NEAR(simulated.at(name) / pull_N, state.tension[k], 1e-3 * state.tension[k]) << name;
+    EXPECT_NEAR(simulated.at(name) / pulls_N, state.tension[k], 1e-3 * state.tension[k]) << name;
   }
 }
 

@@ -189,7 +189,7 @@ TEST(AlikeLines, NameAFewAndCountTheRest) {
 
 TEST(LadderTable, HasGainsOverTheRungBeforeAndMarks) {
   EXPECT_EQ(text(Document{{ladder_section(three_rungs())}}),
-            "What more sheaths buy: the best design with at most so many\n"
+            "Best design with at most so many sheaths\n"
             "sheaths  name  routing  uniformity     gain     kept\n"
             "      1  -     A             0.500            62.5 %\n"
             "      2  Two   B             0.792  +58.4 %   99.0 %  knee, within 2 %\n"

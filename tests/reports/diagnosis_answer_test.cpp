@@ -16,7 +16,7 @@ NamedCause tubes() {
   NamedCause cause;
   cause.effect = {find_cause("tube_friction"), {}, {0.09}};
   cause.name = "tube_friction";
-  cause.meaning = "the tubes' friction is another one";
+  cause.meaning = "the friction of the tubes differs";
   cause.parameters = {{"mu", "1", 0.09, 0.087, 0.093, 0.18, Range{0.05, 0.2}}};
   return cause;
 }
@@ -110,7 +110,7 @@ TEST(DiagnosisAnswer, NamesACauseWithItsIntervalAndItsGain) {
   DiagnosisReport report = report_of(Verdict::cause);
   report.result.causes = {tubes()};
   EXPECT_TRUE(says(report,
-                   "The tubes' friction is another one: tube_friction, mu = 0.090 (0.087 to"
+                   "The friction of the tubes differs: tube_friction, mu = 0.090 (0.087 to"
                    " 0.093; the hardware says 0.180, literature 0.05 to 0.2)."));
   EXPECT_TRUE(says(report, "Nothing was held out"));
   report.result.held_out = HeldOut{1, 0.2, 0.8, 0.7, 0.9, 50, 40, 60, 50};

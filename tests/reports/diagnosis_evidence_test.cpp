@@ -74,17 +74,18 @@ CalibratedCoefficient tubes(double low, double high, double p_value, bool differ
   return {"tube_friction", {"mu", "1", 0.15, low, high, 0.18, Range{0.05, 0.2}}, p_value, differs};
 }
 
-// An interval that leaves the hardware's value out is not beside "as the hardware says".
+// An interval that leaves the hardware's value out does not agree with it.
 TEST(Coefficients, AreWhatTheHardwareSaysOnlyWhereTheIntervalHasIt) {
   DiagnosisResult result;
   result.calibration = {tubes(0.14, 0.18, 0.3, false), tubes(0.12, 0.17, 0.034, false),
                         tubes(0.12, 0.17, 0.001, true)};
-  EXPECT_EQ(coefficient_sentences(result),
-            (Sentences{"tube_friction: mu = 0.150 (0.140 to 0.180), as the hardware says (0.180)",
-                       "tube_friction: mu = 0.150 (0.120 to 0.170), perhaps another than the "
-                       "hardware says (0.180), too little to name it (p = 0.034)",
-                       "tube_friction: mu = 0.150 (0.120 to 0.170), another than the hardware says "
-                       "(0.180)"}));
+  EXPECT_EQ(
+      coefficient_sentences(result),
+      (Sentences{"tube_friction: mu = 0.150 (0.140 to 0.180), agrees with the hardware (0.180)",
+                 "tube_friction: mu = 0.150 (0.120 to 0.170), perhaps differs from the "
+                 "hardware (0.180), too little to name it (p = 0.034)",
+                 "tube_friction: mu = 0.150 (0.120 to 0.170), differs from the hardware "
+                 "(0.180)"}));
 }
 
 TEST(DiagnosisEvidence, SaysHowMuchIsLeftOverAStretchThatStandsApartAndOverOthers) {
