@@ -178,7 +178,7 @@ Json hand_finger_json(const ShownHandFinger& finger) {
 
 Json force_json(const ShownFingerForce& force, bool has_force) {
   return {{"finger", force.finger},
-          {"pull_per_motor", number(force.pull_per_motor_N)},
+          {"pull_per_motor", number(force.pull_per_motor.sum_N())},
           {"force_per_motor", number(force.per_motor_N)},
           {"asks_motor_N", number(force.asks_motor_N)},
           {"force_N", has_force ? number(force.force_N) : Json(nullptr)},
