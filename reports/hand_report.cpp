@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "core/text.hpp"
+#include "reports/closing_report.hpp"
 #include "reports/motor_words.hpp"
 
 namespace reeve::reports {
@@ -240,19 +242,22 @@ std::vector<Section> hand_sections(const ShownHand& hand) {
   add_motion_lines(hand, lines);
   add_stroke_line(hand, lines);
   add_reach_lines(hand, lines);
-  return {
+  std::vector<Section> sections{
       {"Hand: fingertip force per newton of motor tension, springs aside, and the motor tension\n"
        "that meets all wanted forces",
        force_table(hand),
        {}},
       {"Hand: fingers, and the least force at their tips in any of these grasps",
        finger_table(hand), lines}};
+  for (Section& section : closing_sections(hand.closings)) sections.push_back(std::move(section));
+  return sections;
 }
 
 void add_hand(Json& target, const ShownHand& hand) {
   target["fingers"] = list_json(hand.fingers, hand_finger_json);
   target["grasps"] = grasps_json(hand);
   target["motor"] = motor_json(hand);
+  if (!hand.closings.empty()) target["closings"] = closings_json(hand.closings);
 }
 
 }  // namespace reeve::reports
