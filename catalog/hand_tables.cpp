@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "catalog/hardware_tables.hpp"
+#include "core/finger_guides.hpp"
 #include "core/hand.hpp"
 
 namespace reeve::catalog {
@@ -27,16 +28,32 @@ void read_number_if_given(const TomlNode& table, std::string_view key, Number& n
   if (const TomlNode* node = table.find(key)) number = finite_number(*node);
 }
 
+void read_guide(const TomlNode& node, FingerJoint& joint) {
+  const char* expected = "\"pulley\" or \"tube\"";
+  const TomlNode* guide = node.find("guide");
+  for (const char* key : {"mu", "wrap_deg"}) {
+    if (guide == nullptr && node.find(key) != nullptr) node.require("guide", expected);
+  }
+  if (guide == nullptr) return;
+  joint.guide = guide->text() == "pulley" ? JointGuide::pulley : JointGuide::tube;
+  if (guide->text() != guide_name(joint.guide)) guide->fail_expected(expected);
+  read_number_if_given(node, "mu", joint.mu);
+  read_number_if_given(node, "wrap_deg", joint.wrap_deg);
+}
+
 FingerJoint read_joint(const TomlNode& node) {
   FingerJoint joint;
-  node.table().allow_only(
-      {"arm_mm", "range_deg", "lever_mm", "spring_Nmm_rad", "rest_deg", "held_deg"});
+  node.table().allow_only({"arm_mm", "range_deg", "lever_mm", "spring_Nmm_rad", "rest_deg",
+                           "held_deg", "guide", "mu", "wrap_deg", "object_deg", "phalanx_mm"});
   joint.arm_mm = required(node, "arm_mm", "the tendon's moment arm about the joint, in mm");
   joint.range_deg = required(node, "range_deg", "the joint's range of flexion, in degrees");
   joint.lever_mm = required(node, "lever_mm", "the fingertip force's lever about the joint, in mm");
   read_number_if_given(node, "spring_Nmm_rad", joint.spring_Nmm_rad);
   read_number_if_given(node, "rest_deg", joint.rest_deg);
   read_number_if_given(node, "held_deg", joint.held_deg);
+  read_number_if_given(node, "object_deg", joint.object_deg);
+  read_number_if_given(node, "phalanx_mm", joint.phalanx_mm);
+  read_guide(node, joint);
   return joint;
 }
 
@@ -49,7 +66,17 @@ std::string joint_toml(const FingerJoint& joint) {
   std::string text = fmt::format(
       "  {{ arm_mm = {}, range_deg = {}, lever_mm = {}, spring_Nmm_rad = {}, rest_deg = {}",
       joint.arm_mm, joint.range_deg, joint.lever_mm, joint.spring_Nmm_rad, joint.rest_deg);
-  if (joint.held_deg) text += fmt::format(", held_deg = {}", *joint.held_deg);
+  const auto add = [&](std::string_view key, const std::optional<double>& value) {
+    if (value) text += fmt::format(", {} = {}", key, *value);
+  };
+  add("held_deg", joint.held_deg);
+  if (joint.guide != JointGuide::none) {
+    text += fmt::format(", guide = \"{}\"", guide_name(joint.guide));
+    add("mu", joint.mu);
+    add("wrap_deg", joint.wrap_deg);
+  }
+  add("object_deg", joint.object_deg);
+  add("phalanx_mm", joint.phalanx_mm);
   return text + " },\n";
 }
 

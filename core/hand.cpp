@@ -1,40 +1,51 @@
 #include "core/hand.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <numbers>
+#include <utility>
 
 namespace reeve::core {
 namespace {
 
-constexpr double rad(double degrees) { return degrees * std::numbers::pi / 180; }
-
 double spring_torque(const FingerJoint& joint, double flexion_deg) {
-  return joint.spring_Nmm_rad * rad(flexion_deg - joint.rest_deg);
+  return joint.spring_Nmm_rad * in_rad(flexion_deg - joint.rest_deg);
 }
 
 double holding_torque(const FingerJoint& joint) {
   return spring_torque(joint, joint.held_deg.value_or(joint.range_deg));
 }
 
-double grip_pull(const FingerJoint& joint, double force_N) {
-  return (joint.lever_mm * force_N + holding_torque(joint)) / joint.arm_mm;
+std::vector<JointDemand> demands_of(const std::vector<FingerJoint>& joints, double force_N) {
+  std::vector<JointDemand> demands;
+  double held_phi = 0;
+  double closed_phi = 0;
+  for (const FingerJoint& joint : joints) {
+    held_phi += guide_exponent(joint, in_rad(joint.held_deg.value_or(joint.range_deg)));
+    closed_phi += guide_exponent(joint, in_rad(joint.range_deg));
+    demands.push_back({(joint.lever_mm * force_N + holding_torque(joint)) / joint.arm_mm,
+                       spring_torque(joint, joint.range_deg) / joint.arm_mm,
+                       joint.arm_mm / joint.lever_mm, std::exp(-held_phi), std::exp(-closed_phi)});
+  }
+  return demands;
 }
 
-HandFinger finger_of(const FingerParts& parts) {
+HandFinger finger_of(const FingerParts& parts, const Hardware& hardware) {
   HandFinger finger;
-  finger.joints = parts.joints;
+  finger.joints = with_guide_coefficients(parts.joints, hardware);
   finger.is_known = !parts.joints.empty() && parts.force_N;
   finger.force_N = parts.force_N.value_or(0);
-  finger.force_per_pull = std::numeric_limits<double>::infinity();
+  finger.demands = demands_of(finger.joints, finger.force_N);
   for (const FingerJoint& joint : finger.joints) {
-    finger.excursion_mm += joint.arm_mm * rad(joint.range_deg);
-    finger.force_per_pull = std::min(finger.force_per_pull, joint.arm_mm / joint.lever_mm);
-    finger.grip_pull_N = std::max(finger.grip_pull_N, grip_pull(joint, finger.force_N));
-    finger.close_pull_N =
-        std::max(finger.close_pull_N, spring_torque(joint, joint.range_deg) / joint.arm_mm);
+    finger.excursion_mm += joint.arm_mm * in_rad(joint.range_deg);
   }
   return finger;
+}
+
+// What a joint asks of the motor; nothing where its need is met without any pull.
+double asked_force(double need_N, double pull_per_motor) {
+  if (need_N <= 0) return 0;
+  return pull_per_motor > 0 ? need_N / pull_per_motor : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -56,9 +67,18 @@ std::optional<Hand> hand(const Hardware& hardware) {
   if (!any) return std::nullopt;
   Hand hand{{}, hardware.motor};
   for (int number = 1; number <= max_fingers; ++number) {
-    hand.fingers.push_back(finger_of(finger_parts(hardware, number)));
+    hand.fingers.push_back(finger_of(finger_parts(hardware, number), hardware));
   }
   return hand;
+}
+
+Hand without_guides(const Hand& hand) {
+  Hand result = hand;
+  for (HandFinger& finger : result.fingers) {
+    finger.joints = without_guides(std::move(finger.joints));
+    finger.demands = demands_of(finger.joints, finger.force_N);
+  }
+  return result;
 }
 
 int first_unknown_finger(const Hand& hand, int fingers) {
@@ -68,10 +88,11 @@ int first_unknown_finger(const Hand& hand, int fingers) {
   return 0;
 }
 
-HeldForce held_force(const HandFinger& finger, double pull_N) {
+HeldForce held_force(const HandFinger& finger, const FingerPull& pull) {
   HeldForce held{std::numeric_limits<double>::infinity(), 0};
   for (std::size_t j = 0; j < finger.joints.size(); ++j) {
     const FingerJoint& joint = finger.joints[j];
+    const double pull_N = pull.behind_guide_N(finger.demands[j].held_decay);
     const double force = (joint.arm_mm * pull_N - holding_torque(joint)) / joint.lever_mm;
     if (force < held.force_N) held = {force, j};
   }
@@ -79,39 +100,72 @@ HeldForce held_force(const HandFinger& finger, double pull_N) {
   return held;
 }
 
-std::size_t asking_joint(const HandFinger& finger) {
-  const auto asks_less = [&](const FingerJoint& a, const FingerJoint& b) {
-    return grip_pull(a, finger.force_N) < grip_pull(b, finger.force_N);
+double force_without_springs(const HandFinger& finger, const FingerPull& pull) {
+  double force = std::numeric_limits<double>::infinity();
+  for (const JointDemand& joint : finger.demands) {
+    force = std::min(force, pull.behind_guide_N(joint.held_decay) * joint.arm_over_lever);
+  }
+  return force;
+}
+
+bool closes_springs(const HandFinger& finger, const FingerPull& pull) {
+  return std::all_of(finger.demands.begin(), finger.demands.end(), [&](const JointDemand& joint) {
+    return pull.behind_guide_N(joint.closed_decay) >= joint.close_N;
+  });
+}
+
+double working_pull(const HandFinger& finger, const FingerPull& pull) {
+  if (!has_guides(finger.joints)) return pull.sum_N();
+  double work_Nmm = 0;
+  for (std::size_t j = 0; j < finger.joints.size(); ++j) {
+    const FingerJoint& joint = finger.joints[j];
+    work_Nmm +=
+        pull.behind_guide_N(finger.demands[j].held_decay) * joint.arm_mm * in_rad(joint.range_deg);
+  }
+  return work_Nmm / finger.excursion_mm;
+}
+
+std::size_t asking_joint(const HandFinger& finger, const FingerPull& pull) {
+  const auto asks_less = [&](const JointDemand& a, const JointDemand& b) {
+    return a.grip_N * pull.behind_guide_N(b.held_decay) <
+           b.grip_N * pull.behind_guide_N(a.held_decay);
   };
   return static_cast<std::size_t>(
-      std::max_element(finger.joints.begin(), finger.joints.end(), asks_less) -
-      finger.joints.begin());
+      std::max_element(finger.demands.begin(), finger.demands.end(), asks_less) -
+      finger.demands.begin());
 }
 
 double spring_energy(const HandFinger& finger, double share) {
   double energy_Nmm = 0;
   for (const FingerJoint& joint : finger.joints) {
-    const double open = rad(-joint.rest_deg);
-    const double closed = rad(share * joint.range_deg - joint.rest_deg);
+    const double open = in_rad(-joint.rest_deg);
+    const double closed = in_rad(share * joint.range_deg - joint.rest_deg);
     energy_Nmm += joint.spring_Nmm_rad * (closed * closed - open * open) / 2;
   }
   return energy_Nmm / 1000;
 }
 
-double motor_force(const HandFinger& finger, bool held, double pull_per_motor_N) {
-  const double pull = held ? finger.grip_pull_N : std::max(finger.grip_pull_N, finger.close_pull_N);
-  if (pull == 0) return 0;
-  return pull_per_motor_N > 0 ? pull / pull_per_motor_N : std::numeric_limits<double>::infinity();
+double motor_force(const HandFinger& finger, bool held, const FingerPull& pull_per_motor) {
+  double force = 0;
+  for (const JointDemand& joint : finger.demands) {
+    force =
+        std::max(force, asked_force(joint.grip_N, pull_per_motor.behind_guide_N(joint.held_decay)));
+    if (held) continue;
+    force = std::max(force,
+                     asked_force(joint.close_N, pull_per_motor.behind_guide_N(joint.closed_decay)));
+  }
+  return force;
 }
 
 GripDemand grip_demand(const Hand& hand, const Network& network, const TensionState& state,
                        Grasp grasp) {
-  const FingerArray pulls = pulls_by_finger(network, state);
+  const FingerPullArray pulls = finger_pulls_of(network, state);
   GripDemand demand{std::numeric_limits<double>::infinity(), 0, 1};
   for (int number = 1; number <= network.fingers; ++number) {
     const HandFinger& finger = hand.finger(number);
-    const double pull = pulls[static_cast<std::size_t>(number)];
-    demand.force_per_motor_N = std::min(demand.force_per_motor_N, pull * finger.force_per_pull);
+    const FingerPull& pull = pulls[static_cast<std::size_t>(number)];
+    demand.force_per_motor_N =
+        std::min(demand.force_per_motor_N, force_without_springs(finger, pull));
     const double force = motor_force(finger, grasp.holds(number), pull);
     if (force > demand.motor_force_N) {
       demand.motor_force_N = force;

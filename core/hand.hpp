@@ -4,19 +4,20 @@
 // tau_j = k_j (q_j − q0_j) the torque of its return spring in the posture that holds:
 //
 //   excursion          E = Σ_j r_j Δ_j, what each strand gives up over the whole range Δ_j
-//   pull               P = Σ T over the finger's strands
-//   fingertip force    F = min_j (r_j P − tau_j) / h_j, and not below 0
-//   pull for a force   P = max_j (h_j F + tau_j) / r_j: the same, solved for P
-//   pull to close      P = max_j k_j (Δ_j − q0_j) / r_j: against the springs, to the end
+//   pull               P = Σ T over the finger's strands, at the palm
+//   pull at a joint    P_j = Σ T e^{∓S_j}, behind its guide (finger_guides.hpp): P without guides
+//   fingertip force    F = min_j (r_j P_j − tau_j) / h_j, and not below 0
+//   pull for a force   P_j = (h_j F + tau_j) / r_j: the same, solved for the pull at each joint
+//   pull to close      P_j = k_j (Δ_j − q0_j) / r_j: against the springs, to the end
 //
-// A joint with r_j P − tau_j > h_j F flexes on until the object or its stop takes the rest; one
+// A joint with r_j P_j − tau_j > h_j F flexes on until the object or its stop takes the rest; one
 // with less is forced open. So the joint of the minimum is the one that gives, and F is the
 // greatest force that no joint gives way to. Forces are linear in the motor tension T_M but for the
 // springs.
 //
 // Assumptions: quasi-static; planar; the fingertip force acts along one line, stated by its levers;
-// no slip at the object; arms that do not change as the joint turns; no friction in the joints. A
-// finger's strands have equal arms.
+// no slip at the object; arms that do not change as the joint turns; no friction in the joints but
+// at their guides. A finger's strands have equal arms.
 // Source: tau = J^T F joint by joint; L. Birglen, T. Laliberté, C. Gosselin, Underactuated Robotic
 // Hands, Springer, 2008, on which joints of an underactuated finger hold and which give.
 #pragma once
@@ -25,22 +26,29 @@
 #include <optional>
 #include <vector>
 
+#include "core/finger_guides.hpp"
 #include "core/grasp.hpp"
 #include "core/hardware.hpp"
 #include "core/network.hpp"
-#include "core/performance.hpp"
 #include "core/tension/tension.hpp"
 
 namespace reeve::core {
 
+// Pulls that one joint needs behind its guide, and the share of a pull at the palm that arrives.
+struct JointDemand {
+  double grip_N = 0;   // for the wanted force, in the posture that holds
+  double close_N = 0;  // against the spring, at the end of the range
+  double arm_over_lever = 0;
+  double held_decay = 1;  // e^{−S_j} in the posture that holds
+  double closed_decay = 1;
+};
+
 struct HandFinger {
   std::vector<FingerJoint> joints;
-  bool is_known = false;  // its joints and its force are given
-  double force_N = 0;     // wanted
+  std::vector<JointDemand> demands;  // of the joints
+  bool is_known = false;             // its joints and its force are given
+  double force_N = 0;                // wanted
   double excursion_mm = 0;
-  double force_per_pull = 0;  // min_j r_j / h_j: springs aside
-  double grip_pull_N = 0;     // for the wanted force
-  double close_pull_N = 0;
 };
 
 // Of fingers 1 … max_fingers, at their numbers less 1.
@@ -58,6 +66,8 @@ FingerParts finger_parts(const Hardware& hardware, int finger);
 
 // Nothing if no finger has joints.
 std::optional<Hand> hand(const Hardware& hardware);
+// The same hand, its tendons free of friction at the joints.
+Hand without_guides(const Hand& hand);
 
 // The first of fingers 1 … n that is not known; 0 if all are.
 int first_unknown_finger(const Hand& hand, int fingers);
@@ -67,10 +77,20 @@ struct HeldForce {
   double force_N = 0;
   std::size_t joint = 0;
 };
-HeldForce held_force(const HandFinger& finger, double pull_N);
+HeldForce held_force(const HandFinger& finger, const FingerPull& pull);
 
-// The joint that asks for the pull of the wanted force.
-std::size_t asking_joint(const HandFinger& finger);
+// Fingertip force under a pull, springs aside.
+double force_without_springs(const HandFinger& finger, const FingerPull& pull);
+
+// True if the pull closes the finger to its end against its springs.
+bool closes_springs(const HandFinger& finger, const FingerPull& pull);
+
+// Pull at the palm that would do the pull's work at the joints, all turning by the same share of
+// their ranges: less than the pull by the friction of the guides.
+double working_pull(const HandFinger& finger, const FingerPull& pull);
+
+// The joint that asks for most of a pull in this proportion, for the wanted force.
+std::size_t asking_joint(const HandFinger& finger, const FingerPull& pull = 1);
 
 // Energy in a finger's springs over that in the open hand, all joints at this share of their
 // ranges, J.
@@ -87,6 +107,6 @@ struct GripDemand {
 GripDemand grip_demand(const Hand& hand, const Network& network, const TensionState& state,
                        Grasp grasp);
 // Of one finger alone.
-double motor_force(const HandFinger& finger, bool held, double pull_per_motor_N);
+double motor_force(const HandFinger& finger, bool held, const FingerPull& pull_per_motor);
 
 }  // namespace reeve::core

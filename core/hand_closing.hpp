@@ -18,6 +18,7 @@
 
 #include "core/hand.hpp"
 #include "core/mechanics.hpp"
+#include "core/performance.hpp"
 #include "core/tension/kinematics.hpp"
 
 namespace reeve::core {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/finger_guides.hpp"
 #include "core/hand.hpp"
 #include "core/routing.hpp"
 
@@ -31,6 +32,7 @@ constexpr JointRow joint_rows[] = {
     {"lever_mm", &FingerJoint::lever_mm, 0.01, 1000, "mm"},
     {"spring_Nmm_rad", &FingerJoint::spring_Nmm_rad, 0, 1e6, "N mm/rad"},
     {"rest_deg", &FingerJoint::rest_deg, -360, 360, "deg"},
+    {"wrap_deg", &FingerJoint::wrap_deg, 0, 720, "deg"},
 };
 
 constexpr double greatest_force_N = 1e5;
@@ -46,6 +48,7 @@ class HandFaultFinder {
       look_at(fmt::format("{}.joints[{}]", where, j + 1), parts.joints[j]);
     }
     range(where + ".force_N", parts.force_N, 0, greatest_force_N, "N");
+    require_small_exponent(where + ".joints", parts.joints);
   }
 
   void look_at(const MotorParts& motor) {
@@ -69,6 +72,19 @@ class HandFaultFinder {
       range(fmt::format("{}.{}", where, row.name), joint.*row.value, row.low, row.high, row.unit);
     }
     range(where + ".held_deg", joint.held_deg, 0, joint.range_deg, "deg");
+    range(where + ".object_deg", joint.object_deg, 0, joint.range_deg, "deg");
+    range(where + ".mu", joint.mu, 0, 1, "");
+    range(where + ".phalanx_mm", joint.phalanx_mm, 0.01, 1000, "mm");
+  }
+
+  void require_small_exponent(const std::string& where, const std::vector<FingerJoint>& joints) {
+    const double exponent = closed_exponent(with_guide_coefficients(joints, hardware_));
+    if (first_ || exponent <= max_exponent) return;
+    first_ = {.where = hardware_place(hardware_, where),
+              .what = where + ": sum of mu * wrap of the closed finger",
+              .value = fmt::format("{:.4g}", exponent),
+              .expected = fmt::format("at most {}", max_exponent),
+              .form = InputForm::equals};
   }
 
   void range(const std::string& what, const std::optional<double>& value, double low, double high,
@@ -77,7 +93,8 @@ class HandFaultFinder {
     first_ = {.where = hardware_place(hardware_, what),
               .what = what,
               .value = fmt::format("{}", *value),
-              .expected = fmt::format("a number from {} to {} {}", low, high, unit),
+              .expected =
+                  fmt::format("a number from {} to {}{}{}", low, high, *unit == 0 ? "" : " ", unit),
               .form = InputForm::equals};
   }
 

@@ -23,6 +23,9 @@ namespace reeve::core {
 
 // What a user says of a hand: the joints of its fingers and the motor that pulls them. Angles are
 // flexions, 0 with the hand open. hand.hpp has the laws.
+// A part that leads the tendon past a joint; finger_guides.hpp has the law.
+enum class JointGuide : std::uint8_t { none, pulley, tube };
+
 // The same arm at each strand of the finger, and in every posture.
 struct FingerJoint {
   double arm_mm = 0;          // of the tendon about the joint
@@ -32,6 +35,11 @@ struct FingerJoint {
   double rest_deg = 0;        // flexion at which the spring is slack; below 0: preloaded when open
   std::optional<double>
       held_deg{};  // flexion in the posture that holds; the whole range if not given
+  JointGuide guide = JointGuide::none;  // none: the tendon passes without friction
+  std::optional<double> mu{};           // of the guide; that of [bearing] or [tube] if not given
+  double wrap_deg = 0;                  // round the guide with the hand open
+  std::optional<double> object_deg{};   // flexion at which an object stops the phalanx
+  std::optional<double> phalanx_mm{};   // length of the phalanx behind the joint
 
   friend bool operator==(const FingerJoint&, const FingerJoint&) = default;
 };

@@ -37,7 +37,13 @@ MechanicsBuilder::MechanicsBuilder(const Hardware& hardware) : hardware_(hardwar
         {parse_segment(contact.segment), parse_segment(contact.other_segment), contact});
   }
   if (const auto known = hand(hardware_)) {
-    for (const HandFinger& finger : known->fingers) excursion_.push_back(finger.excursion_mm);
+    bool any_guide = false;
+    for (const HandFinger& finger : known->fingers) {
+      excursion_.push_back(finger.excursion_mm);
+      guide_exponent_.push_back(2 * held_exponent(finger.joints));
+      any_guide |= has_guides(finger.joints);
+    }
+    if (!any_guide) guide_exponent_.clear();
   }
 }
 
@@ -115,8 +121,19 @@ void MechanicsBuilder::apply(const Network& network, Mechanics& mechanics) const
   }
   mechanics.closing.assign(static_cast<std::size_t>(network.fingers), 1.0);
   if (!by_finger_.empty() || !by_contact_.empty()) apply_overrides(network, mechanics);
+  if (!guide_exponent_.empty()) add_guides(network, mechanics);
   if (hardware_.contact_draw) apply_scatter(network, mechanics);
   if (!excursion_.empty()) close_by_excursions(mechanics);
+}
+
+void MechanicsBuilder::add_guides(const Network& network, Mechanics& mechanics) const {
+  for (std::size_t k = 0; k < network.contacts.size(); ++k) {
+    const Contact& contact = network.contacts[k];
+    if (contact.place != ContactPlace::tip) continue;
+    mechanics.phi[k] += guide_exponent_[static_cast<std::size_t>(contact.finger) - 1];
+    mechanics.decay[k] = std::exp(-mechanics.phi[k]);
+    mechanics.in_range &= mechanics.phi[k] <= max_exponent;
+  }
 }
 
 bool MechanicsBuilder::has_own_mu(const Network& network, const TendonSpan& tendon,

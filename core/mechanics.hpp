@@ -68,6 +68,7 @@ class MechanicsBuilder {
   // True if the file gives a coefficient for this contact alone, or for its finger.
   bool has_own_mu(const Network& network, const TendonSpan& tendon, std::size_t k) const;
   void close_by_excursions(Mechanics& mechanics) const;
+  void add_guides(const Network& network, Mechanics& mechanics) const;
   // Returns the place of an error about the contact between two segments.
   std::string place_between(const Segment& left, const Segment& right) const;
 
@@ -77,6 +78,9 @@ class MechanicsBuilder {
   std::vector<std::optional<FingerHardware>> by_finger_;
   std::vector<ContactOverride> by_contact_;
   std::vector<double> excursion_;  // of fingers 1 …, 0 without joints; empty without a hand
+  // What the guides of fingers 1 … add to the exponents of their tips, each passed by both strands;
+  // empty without any.
+  std::vector<double> guide_exponent_;
 };
 
 // "a-T1", as the user wrote it.

@@ -2,6 +2,7 @@
 
 #include "core/text.hpp"
 #include "drawing/chart/chart.hpp"
+#include "pages/closing_figure.hpp"
 #include "pages/figures.hpp"
 #include "pages/pages.hpp"
 #include "pages/routing_parts.hpp"
@@ -58,7 +59,7 @@ Json jams(const ShownRouting& report) {
 }
 
 // False, which the template passes over, without one.
-Json hand_values(const ShownRouting& report) {
+Json hand_values(const ShownRouting& report, std::vector<FigureFile>& files) {
   if (!report.hand) return false;
   std::string tables;
   Json lines = Json::array();
@@ -70,7 +71,14 @@ Json hand_values(const ShownRouting& report) {
       lines.push_back({{"text", line.text}, {"caveat", line.caveat}});
     }
   }
-  return {{"tables", tables}, {"lines", lines}};
+  std::string figures;
+  for (std::size_t i = 0; i < report.hand->closings.size(); ++i) {
+    for (const Figure& figure : closing_figures(report.hand->closings[i], i + 1)) {
+      figures += figure_html(figure);
+      files.push_back(captioned(figure, report.model));
+    }
+  }
+  return {{"tables", tables}, {"lines", lines}, {"figures", figures}};
 }
 
 GraspSet grasps(const ShownRouting& report) {
@@ -108,7 +116,7 @@ PageFiles routing_page(const ShownRouting& report, const std::string& command) {
       {"tensions", html(tension_table(report))},
       {"contacts", html(contact_table(report))}};
   values["glossary"] = glossary_html("Strand, held, jam, slides: what they mean", routing_terms());
-  values["hand"] = hand_values(report);
+  values["hand"] = hand_values(report, page.figures);
   values["has_strands"] = report.network.fingers > 0;
   if (report.network.fingers > 0) {
     const Figure tensions = tension_figure(report);

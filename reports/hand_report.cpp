@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "core/text.hpp"
+#include "reports/closing_report.hpp"
 #include "reports/motor_words.hpp"
 
 namespace reeve::reports {
@@ -178,7 +180,7 @@ Json hand_finger_json(const ShownHandFinger& finger) {
 
 Json force_json(const ShownFingerForce& force, bool has_force) {
   return {{"finger", force.finger},
-          {"pull_per_motor", number(force.pull_per_motor_N)},
+          {"pull_per_motor", number(force.pull_per_motor.sum_N())},
           {"force_per_motor", number(force.per_motor_N)},
           {"asks_motor_N", number(force.asks_motor_N)},
           {"force_N", has_force ? number(force.force_N) : Json(nullptr)},
@@ -240,19 +242,22 @@ std::vector<Section> hand_sections(const ShownHand& hand) {
   add_motion_lines(hand, lines);
   add_stroke_line(hand, lines);
   add_reach_lines(hand, lines);
-  return {
+  std::vector<Section> sections{
       {"Hand: fingertip force per newton of motor tension, springs aside, and the motor tension\n"
        "that meets all wanted forces",
        force_table(hand),
        {}},
       {"Hand: fingers, and the least force at their tips in any of these grasps",
        finger_table(hand), lines}};
+  for (Section& section : closing_sections(hand.closings)) sections.push_back(std::move(section));
+  return sections;
 }
 
 void add_hand(Json& target, const ShownHand& hand) {
   target["fingers"] = list_json(hand.fingers, hand_finger_json);
   target["grasps"] = grasps_json(hand);
   target["motor"] = motor_json(hand);
+  if (!hand.closings.empty()) target["closings"] = closings_json(hand.closings);
 }
 
 }  // namespace reeve::reports

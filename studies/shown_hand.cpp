@@ -23,17 +23,17 @@ Mechanics without_friction(Mechanics mechanics) {
 ShownHandGrasp shown_grasp(const Hand& hand, const Network& network, const TensionState& state,
                            Grasp grasp) {
   const GripDemand demand = grip_demand(hand, network, state, grasp);
-  const FingerArray pulls = pulls_by_finger(network, state);
+  const FingerPullArray pulls = finger_pulls_of(network, state);
   ShownHandGrasp shown{grasp, demand.motor_force_N, 0, demand.weakest, {}};
   for (int f = 1; f <= network.fingers; ++f) {
     const HandFinger& finger = hand.finger(f);
     ShownFingerForce force;
     force.finger = f;
-    force.pull_per_motor_N = pulls[static_cast<std::size_t>(f)];
-    force.per_motor_N = force.pull_per_motor_N * finger.force_per_pull;
-    force.asks_motor_N = motor_force(finger, grasp.holds(f), force.pull_per_motor_N);
+    force.pull_per_motor = pulls[static_cast<std::size_t>(f)];
+    force.per_motor_N = force_without_springs(finger, force.pull_per_motor);
+    force.asks_motor_N = motor_force(finger, grasp.holds(f), force.pull_per_motor);
     if (const auto limit = hand.motor.force_N) {
-      force.at_limit_N = held_force(finger, force.pull_per_motor_N * *limit).force_N;
+      force.at_limit_N = held_force(finger, force.pull_per_motor * *limit).force_N;
     }
     shown.fingers.push_back(force);
   }
@@ -43,16 +43,18 @@ ShownHandGrasp shown_grasp(const Hand& hand, const Network& network, const Tensi
 // What the grasp asks most of, and which finger and joint it is.
 void add_greatest_force(const Hand& hand, const std::vector<ShownHandGrasp>& grasps,
                         MotorDemand& demand) {
+  FingerPull pull = 1;
   for (const ShownHandGrasp& shown : grasps) {
     demand.frictionless_N = std::max(demand.frictionless_N, shown.frictionless_N);
     if (demand.weakest > 0 && !(shown.motor_force_N > demand.force_N)) continue;
     demand.force_N = shown.motor_force_N;
     demand.weakest = shown.weakest;
     demand.grasp = shown.grasp;
+    pull = shown.fingers[static_cast<std::size_t>(shown.weakest) - 1].pull_per_motor;
   }
   // The force is rounded as the objective motor_force, so that both are the same number.
   demand.force_N = on_grid(demand.force_N);
-  demand.joint = asking_joint(hand.finger(demand.weakest));
+  demand.joint = asking_joint(hand.finger(demand.weakest), pull);
 }
 
 void add_motion(const MotorParts& motor, MotorDemand& demand) {
@@ -65,11 +67,35 @@ void add_motion(const MotorParts& motor, MotorDemand& demand) {
   demand.spool_rpm = s_in_min * demand.speed_mm_s / (2 * std::numbers::pi * *motor.spool_radius_mm);
 }
 
+bool is_worth_closing(const std::vector<FingerJoint>& joints) {
+  return has_guides(joints) ||
+         std::any_of(joints.begin(), joints.end(),
+                     [](const FingerJoint& joint) { return joint.object_deg.has_value(); });
+}
+
+std::vector<ShownClosing> shown_closings(const Hand& hand, int fingers) {
+  constexpr int steps = 20;
+  std::vector<ShownClosing> closings;
+  for (int f = 1; f <= fingers; ++f) {
+    const std::vector<FingerJoint>& joints = hand.finger(f).joints;
+    if (!is_worth_closing(joints)) continue;
+    const auto alike = std::find_if(closings.begin(), closings.end(),
+                                    [&](const ShownClosing& c) { return c.joints == joints; });
+    if (alike != closings.end()) {
+      alike->fingers.push_back(f);
+    } else {
+      closings.push_back({{f}, joints, close_finger(joints, steps)});
+    }
+  }
+  return closings;
+}
+
 // One routing of one hand, solved grasp by grasp.
 class HandStudy {
  public:
   HandStudy(const Hand& hand, const Network& network, const std::string& word, const Model& model)
       : hand_(hand),
+        ideal_hand_(without_guides(hand)),
         network_(network),
         model_(model),
         plain_(mechanics(network, possible_hardware(model))),
@@ -83,12 +109,13 @@ class HandStudy {
       shown.grasps.push_back(shown_grasp(hand_, network_, pulled(weighted.grasp), weighted.grasp));
       const TensionState ideal = tensions(network_, frictionless_, weighted.grasp);
       shown.grasps.back().frictionless_N =
-          grip_demand(hand_, network_, ideal, weighted.grasp).motor_force_N;
+          grip_demand(ideal_hand_, network_, ideal, weighted.grasp).motor_force_N;
     }
     add_reach(grasps, shown);
     add_greatest_force(hand_, shown.grasps, shown.demand);
     add_forces(shown);
     add_closing(shown);
+    shown.closings = shown_closings(hand_, network_.fingers);
     return shown;
   }
 
@@ -103,7 +130,7 @@ class HandStudy {
       reach.motor_N = *force;
       reach.share = std::numeric_limits<double>::infinity();
       for (const WeightedGrasp& weighted : grasps) {
-        const FingerArray pulls = pulls_by_finger(network_, pulled(weighted.grasp));
+        const FingerPullArray pulls = finger_pulls_of(network_, pulled(weighted.grasp));
         add_grasp(hand_, network_.fingers, weighted.grasp, pulls, reach);
       }
     }
@@ -116,7 +143,7 @@ class HandStudy {
     if (!std::isfinite(shown.demand.force_N)) return;
     for (ShownHandGrasp& grasp : shown.grasps) {
       for (ShownFingerForce& force : grasp.fingers) {
-        const double pull = shown.demand.force_N * force.pull_per_motor_N;
+        const FingerPull pull = force.pull_per_motor * shown.demand.force_N;
         const HeldForce held = held_force(hand_.finger(force.finger), pull);
         force.force_N = held.force_N;
         force.gives = held.joint;
@@ -128,14 +155,15 @@ class HandStudy {
     Kinematics kinematics;
     Motion motion;
     double to_fingers = 0;  // J per N of motor tension
-    const HandClosing closing =
-        close_hand(hand_, network_, plain_, kinematics, motion,
-                   [&](Grasp at_end, double travel_mm, const std::vector<double>& closings) {
-                     const FingerArray pulls = pulls_by_finger(network_, pulled(at_end));
-                     for (std::size_t f = 0; f < closings.size(); ++f) {
-                       to_fingers += pulls[f + 1] * closings[f] * travel_mm / mm_in_m;
-                     }
-                   });
+    const HandClosing closing = close_hand(
+        hand_, network_, plain_, kinematics, motion,
+        [&](Grasp at_end, double travel_mm, const std::vector<double>& closings) {
+          const FingerPullArray pulls = finger_pulls_of(network_, pulled(at_end));
+          for (std::size_t f = 0; f < closings.size(); ++f) {
+            const HandFinger& finger = hand_.finger(static_cast<int>(f) + 1);
+            to_fingers += working_pull(finger, pulls[f + 1]) * closings[f] * travel_mm / mm_in_m;
+          }
+        });
     MotorDemand& demand = shown.demand;
     demand.stroke_mm = closing.stroke_mm;
     demand.closure = closing.closure;
@@ -151,6 +179,7 @@ class HandStudy {
   }
 
   const Hand& hand_;
+  Hand ideal_hand_;  // without friction
   const Network& network_;
   const Model& model_;
   Mechanics plain_;
@@ -160,14 +189,14 @@ class HandStudy {
 
 }  // namespace
 
-void add_grasp(const Hand& hand, int fingers, Grasp grasp, const FingerArray& pulls,
+void add_grasp(const Hand& hand, int fingers, Grasp grasp, const FingerPullArray& pulls,
                ForceReach& reach) {
   for (int f = 1; f <= fingers; ++f) {
     const HandFinger& finger = hand.finger(f);
-    const double pull_per_motor = pulls[static_cast<std::size_t>(f)];
-    const double pull = pull_per_motor * reach.motor_N;
+    const FingerPull& pull_per_motor = pulls[static_cast<std::size_t>(f)];
+    const FingerPull pull = pull_per_motor * reach.motor_N;
     const HeldForce held = held_force(finger, pull);
-    const bool closes = grasp.holds(f) || pull >= finger.close_pull_N;
+    const bool closes = grasp.holds(f) || closes_springs(finger, pull);
     if (closes && finger.force_N == 0) continue;
     const double share = closes ? held.force_N / finger.force_N : 0;
     const double asks = motor_force(finger, grasp.holds(f), pull_per_motor);

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "causes/model.hpp"
+#include "core/finger_closing.hpp"
 #include "core/grasp.hpp"
 #include "core/hand.hpp"
 #include "core/hand_closing.hpp"
@@ -57,7 +58,7 @@ struct StrokeReach {
 };
 
 // Adds a grasp: the pulls of the fingers per newton of motor tension, at their numbers.
-void add_grasp(const Hand& hand, int fingers, Grasp grasp, const FingerArray& pulls,
+void add_grasp(const Hand& hand, int fingers, Grasp grasp, const FingerPullArray& pulls,
                ForceReach& reach);
 
 // The mechanics without the effects of a model, as for the whole stroke.
@@ -66,7 +67,7 @@ StrokeReach stroke_reach(const Hand& hand, const Network& network, const Mechani
 
 struct ShownFingerForce {
   int finger = 0;
-  double pull_per_motor_N = 0;         // of its strands together, N/N
+  FingerPull pull_per_motor{};         // of its strands at the palm, N/N
   double per_motor_N = 0;              // at the fingertip, N/N, springs aside
   double asks_motor_N = 0;             // infinite where its strands are slack
   double force_N = 0;                  // at the hand's motor force; 0 where that is infinite
@@ -112,6 +113,13 @@ struct MotorDemand {
   double friction_cost() const { return force_N > 0 ? 1 - frictionless_N / force_N : 0; }
 };
 
+// The closing in free motion of fingers that are alike (core/finger_closing.hpp).
+struct ShownClosing {
+  std::vector<int> fingers;
+  std::vector<FingerJoint> joints;
+  FingerClosing motion;
+};
+
 struct ShownHand {
   std::vector<ShownHandFinger> fingers;
   std::vector<ShownHandGrasp> grasps;
@@ -123,6 +131,7 @@ struct ShownHand {
   // Of the motor's own force and stroke, where they are given (motor_reach.hpp).
   std::optional<ForceReach> force_reach{};
   std::optional<StrokeReach> stroke_reach{};
+  std::vector<ShownClosing> closings{};  // of fingers with a guide or an object
 };
 
 // Nothing if the hardware has no hand or does not know all fingers. Pulling, whatever is shown.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/finger_guides.hpp"
 #include "pages/routing_parts.hpp"
 #include "pages/shell/template.hpp"
 #include "reports/data_text.hpp"
@@ -47,6 +48,17 @@ std::string of_joints(const std::vector<FingerJoint>& joints, double FingerJoint
   return fmt::format(", {} {} {}", name, fmt::join(values, "/"), unit);
 }
 
+// ", guides tube (mu 0.1)/none"; "" without any.
+std::string guides_text(const std::vector<FingerJoint>& joints) {
+  if (!has_guides(joints)) return "";
+  std::vector<std::string> guides;
+  for (const FingerJoint& joint : joints) {
+    const std::string mu = joint.mu ? fmt::format(" (mu {})", six_digits(*joint.mu)) : "";
+    guides.push_back(joint.guide == JointGuide::none ? "none" : guide_name(joint.guide) + mu);
+  }
+  return fmt::format(", guides {}", fmt::join(guides, "/"));
+}
+
 // "2 joints, arms 11/8 mm, ranges 60/70°, levers 58/28 mm, springs 15/10 N mm/rad, wanted 10 N"
 std::string finger_text(const FingerParts& parts) {
   std::string text;
@@ -57,6 +69,7 @@ std::string finger_text(const FingerParts& parts) {
     text += of_joints(parts.joints, &FingerJoint::lever_mm, "levers", "mm");
     text += of_joints(parts.joints, &FingerJoint::spring_Nmm_rad, "springs", "N mm/rad");
     text += of_joints(parts.joints, &FingerJoint::rest_deg, "slack at", "°");
+    text += guides_text(parts.joints);
   }
   if (!parts.force_N) return text;
   return fmt::format("{}{}{} N wanted at the tip", text, text.empty() ? "" : ", ",

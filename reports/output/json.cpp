@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/finger_guides.hpp"
 #include "core/hand.hpp"
 #include "core/version.hpp"
 #include "reports/model_text.hpp"
@@ -32,6 +33,13 @@ Json joint_json(const FingerJoint& joint) {
             {"spring_Nmm_rad", joint.spring_Nmm_rad},
             {"rest_deg", joint.rest_deg}};
   add_if_given(json, "held_deg", joint.held_deg);
+  if (joint.guide != JointGuide::none) {
+    json["guide"] = guide_name(joint.guide);
+    add_if_given(json, "mu", joint.mu);
+    json["wrap_deg"] = joint.wrap_deg;
+  }
+  add_if_given(json, "object_deg", joint.object_deg);
+  add_if_given(json, "phalanx_mm", joint.phalanx_mm);
   return json;
 }
 

@@ -70,6 +70,22 @@ TEST(HandTables, AreWrittenAsTheyAreRead) {
   EXPECT_EQ(again.fingers[1].parts, hardware.fingers[1].parts);
 }
 
+TEST(HandTables, ReadAndWriteTheGuidesOfJoints) {
+  const Hardware hardware = hardware_of(
+      "[hand]\nforce_N = 5\njoints = [{ arm_mm = 8, range_deg = 90, lever_mm = 60, guide = "
+      "\"tube\", mu = 0.1, wrap_deg = 20, object_deg = 40, phalanx_mm = 30 }, { arm_mm = 8, "
+      "range_deg = 90, lever_mm = 60, guide = \"pulley\" }]\n");
+  const std::vector<FingerJoint>& joints = hardware.finger_parts.joints;
+  EXPECT_EQ(joints[0].guide, JointGuide::tube);
+  EXPECT_EQ(joints[0].mu, 0.1);
+  EXPECT_EQ(joints[0].wrap_deg, 20);
+  EXPECT_EQ(joints[0].object_deg, 40);
+  EXPECT_EQ(joints[0].phalanx_mm, 30);
+  EXPECT_EQ(joints[1].guide, JointGuide::pulley);
+  EXPECT_FALSE(joints[1].mu);
+  EXPECT_EQ(hardware_of(hardware_toml(hardware, {})).finger_parts, hardware.finger_parts);
+}
+
 TEST(HandTables, AreNotWrittenWhereNothingIsSaidOfAHand) {
   const std::string text = hardware_toml(Hardware{}, {});
   EXPECT_EQ(text.find("[hand]"), std::string::npos);
@@ -115,7 +131,8 @@ TEST(HandTables, NameThePlaceOfAMistake) {
        "lever about the joint, in mm"},
       {in_joint + "lever = 60 }]\n",
        "h.toml:3:41: unknown key 'hand.joints[1].lever': expected one of arm_mm, range_deg, "
-       "lever_mm, spring_Nmm_rad, rest_deg, held_deg; did you mean lever_mm?"},
+       "lever_mm, spring_Nmm_rad, rest_deg, held_deg, guide, mu, wrap_deg, object_deg, "
+       "phalanx_mm; did you mean lever_mm?"},
       {hand_with(0), "h.toml:3:10: " + not_so_many},
       {hand_with(17), "h.toml:3:10: " + not_so_many},
       {"[hand]\nforce_N = 5\njoints = [8]\n", "h.toml:3:11: hand.joints[1] = 8: expected a table"},

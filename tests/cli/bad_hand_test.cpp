@@ -56,5 +56,25 @@ TEST(BadHand, IsNamedByFileLineAndColumn) {
   });
 }
 
+TEST(BadHand, HasAGuideThatThereCannotBe) {
+  expect_all_bad({
+      with_file("show TR1", "guide_name.toml",
+                "guide_name.toml:3:64: hand.joints[1].guide = \"rope\": expected \"pulley\" or "
+                "\"tube\""),
+      with_file("show TR1", "no_guide.toml",
+                "no_guide.toml:3:11: missing key 'guide' in 'hand.joints[1]': expected \"pulley\" "
+                "or \"tube\""),
+      with_file("show TR1", "guide_mu.toml",
+                "guide_mu.toml:1:2: hardware: hand.joints[1].mu = 3: expected a number from 0 to "
+                "1"),
+      with_file("show TR1", "object.toml",
+                "object.toml:1:2: hardware: hand.joints[1].object_deg = 100: expected a number "
+                "from 0 to 90 deg"),
+      with_file("show TR1", "wraps.toml",
+                "wraps.toml:1:2: hardware: hand.joints: sum of mu * wrap of the closed finger = "
+                "13.79: expected at most 10"),
+  });
+}
+
 }  // namespace
 }  // namespace reeve::testing

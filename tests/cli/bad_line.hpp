@@ -57,6 +57,13 @@ inline void fill(const TemporaryFolder& folder) {
   folder.write("one_force.toml", "[finger.1]\nforce_N = 5\n[hand]\n" + joints);
   folder.write("bad_force.toml", "[hand]\nforce_N = -1\n" + joints);
   folder.write("bad_joint.toml", "[hand]\nforce_N = 5\njoints = [{ arm_mm = 8 }]\n");
+  const std::string joint =
+      "[hand]\nforce_N = 5\njoints = [{ arm_mm = 8, range_deg = 90, lever_mm = 60, ";
+  folder.write("guide_name.toml", joint + "guide = \"rope\" }]\n");
+  folder.write("no_guide.toml", joint + "wrap_deg = 10 }]\n");
+  folder.write("guide_mu.toml", joint + "guide = \"tube\", mu = 3 }]\n");
+  folder.write("object.toml", joint + "object_deg = 100 }]\n");
+  folder.write("wraps.toml", joint + "guide = \"tube\", mu = 1, wrap_deg = 700 }]\n");
   folder.write("vary.toml", "[vary]\ntip_angle = [4, 1]\n");
   folder.write("vary_name.toml", "[vary]\nangle = [1, 4]\n");
   folder.write("vary_finger.toml", "[vary]\n\"tip_angle[3]\" = [1, 4]\n");

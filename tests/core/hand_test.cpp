@@ -75,10 +75,10 @@ TEST(HandFinger, WithOneJointFollowsTheLeverLaw) {
   const HandFinger finger = finger_of({{{8, 90, 60, 20, -30, 45.0}}, 5.0});
   const double spring = 20 * 75 * degree;
   EXPECT_DOUBLE_EQ(held_force(finger, 70).force_N, (8 * 70 - spring) / 60);
-  EXPECT_DOUBLE_EQ(finger.grip_pull_N, (60 * 5 + spring) / 8);
-  EXPECT_DOUBLE_EQ(finger.close_pull_N, 20 * 120 * degree / 8);
+  EXPECT_DOUBLE_EQ(motor_force(finger, true, 1), (60 * 5 + spring) / 8);
+  EXPECT_DOUBLE_EQ(finger.demands[0].close_N, 20 * 120 * degree / 8);
   EXPECT_DOUBLE_EQ(finger.excursion_mm, 8 * std::numbers::pi / 2);
-  EXPECT_DOUBLE_EQ(finger.force_per_pull, 8.0 / 60);
+  EXPECT_DOUBLE_EQ(force_without_springs(finger, 1), 8.0 / 60);
 }
 
 // Bisection over the fingertip force, with no formula for it.
@@ -107,7 +107,7 @@ TEST(HandFinger, HoldsNothingWhileThePullDoesNotOvercomeItsSprings) {
 TEST(HandFinger, NeedsForAForceThePullThatHoldsIt) {
   const FingerParts parts = three_joint_finger();
   const HandFinger finger = finger_of(parts);
-  const HeldForce held = held_force(finger, finger.grip_pull_N);
+  const HeldForce held = held_force(finger, motor_force(finger, true, 1));
   EXPECT_DOUBLE_EQ(held.force_N, 5);
   EXPECT_EQ(held.joint, asking_joint(finger));
   EXPECT_EQ(held.joint, 0U);  // the knuckle has the longest lever for its arm
@@ -148,9 +148,9 @@ TEST(GripDemand, AsksOnlyFingersThatAreNotHeldToCloseAgainstTheirSprings) {
   stiff.joints[0].held_deg = 10;
   const Hardware hardware = hand_of({stiff});
   const HandFinger finger = hand(hardware)->finger(1);
-  ASSERT_GT(finger.close_pull_N, finger.grip_pull_N);
-  EXPECT_DOUBLE_EQ(motor_force(finger, true, 0.5), finger.grip_pull_N / 0.5);
-  EXPECT_DOUBLE_EQ(motor_force(finger, false, 0.5), finger.close_pull_N / 0.5);
+  ASSERT_GT(finger.demands[0].close_N, motor_force(finger, true, 1));
+  EXPECT_DOUBLE_EQ(motor_force(finger, true, 0.5), motor_force(finger, true, 1) / 0.5);
+  EXPECT_DOUBLE_EQ(motor_force(finger, false, 0.5), finger.demands[0].close_N / 0.5);
 }
 
 TEST(GripDemand, IsInfiniteWhereABlockedCarriageLeavesAFingerSlack) {

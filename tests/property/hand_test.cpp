@@ -132,8 +132,8 @@ TEST(HandOfARandomRouting, MeetsEveryWantedForceAtTheMotorForceAndNotBelowIt) {
       EXPECT_GE(held_force(known.finger(f), pull).force_N, known.finger(f).force_N * (1 - 1e-9));
     }
     const HandFinger& weakest = known.finger(demand.weakest);
-    const bool by_grip =
-        trial.grasp.holds(demand.weakest) || weakest.grip_pull_N >= weakest.close_pull_N;
+    const bool by_grip = trial.grasp.holds(demand.weakest) ||
+                         motor_force(weakest, true, 1) >= motor_force(weakest, false, 1);
     if (!by_grip || weakest.force_N == 0) return;
     ++told;
     const double pull =

@@ -76,5 +76,54 @@ TEST(HandSections, NameTheFingersThatCloseLeastWhereOthersCloseMore) {
   EXPECT_TRUE(said_of_stroke("M-1-F+M-2-F+M-3-F").ends_with(": finger 3 closes least"));
 }
 
+// Two fingers alike, guides at their joints, and the first joint stopped by an object.
+ShownHand guided_hand() {
+  FingerParts parts = testing::three_joint_finger();
+  for (FingerJoint& joint : parts.joints) joint.guide = JointGuide::tube;
+  parts.joints[0].object_deg = 30;
+  const Network network = expand(parse_routing("M-1-T-2-F"));
+  return *studies::shown_hand(network, "M-1-T-2-F", Model{hand_of({parts, parts})},
+                              single_grasps(2));
+}
+
+TEST(HandSections, ShowTheClosingOfFingersThatAreAlikeOnce) {
+  const ShownHand hand = guided_hand();
+  ASSERT_EQ(hand.closings.size(), 1U);
+  EXPECT_EQ(hand.closings[0].fingers, (std::vector<int>{1, 2}));
+  Document document;
+  for (const Section& section : reports::hand_sections(hand)) document.add(section);
+  EXPECT_TRUE(testing::has(text(document), "Hand: closing of fingers 1, 2 in free motion"));
+  EXPECT_TRUE(testing::has(text(document), "Joints stop in this order: joint 1 at "));
+  EXPECT_TRUE(testing::has(text(document), "mm (object)"));
+  EXPECT_TRUE(testing::has(text(document), "object 1 (N mm)"));
+}
+
+TEST(HandJson, HasThePosturesOfClosingAndOpening) {
+  Json json;
+  reports::add_hand(json, guided_hand());
+  const Json& closing = json["closings"][0];
+  EXPECT_EQ(closing["closing"].size(), closing["opening"].size());
+  EXPECT_NEAR(closing["closing"].back()["flexion_deg"][0].get<double>(), 30, 1e-12);
+  EXPECT_TRUE(closing["closing"].back()["contact_N"].is_null());
+  EXPECT_EQ(closing["stops"].size(), 3U);
+  Json plain;
+  reports::add_hand(plain, shown_of("M-1-M+M-2-M", 60, 2));
+  EXPECT_FALSE(plain.contains("closings"));
+}
+
+// Friction along the finger costs motor force, and what the springs and fingers get is less.
+TEST(HandDemand, CountsTheFrictionAtGuidesAsFriction) {
+  const MotorDemand guided = guided_hand().demand;
+  FingerParts parts = testing::three_joint_finger();
+  const Network network = expand(parse_routing("M-1-T-2-F"));
+  const MotorDemand plain =
+      studies::shown_hand(network, "M-1-T-2-F", Model{hand_of({parts, parts})}, single_grasps(2))
+          ->demand;
+  EXPECT_GT(guided.force_N, plain.force_N);
+  EXPECT_DOUBLE_EQ(guided.frictionless_N, plain.frictionless_N);
+  EXPECT_DOUBLE_EQ(guided.stroke_mm, plain.stroke_mm);
+  EXPECT_GT(guided.friction_J / guided.work_J, plain.friction_J / plain.work_J);
+}
+
 }  // namespace
 }  // namespace reeve

@@ -54,7 +54,7 @@ TEST(ShownHand, PartsTheMotorsWorkIntoSpringsFrictionAndFingertips) {
     const MotorDemand& demand = found.demand;
     std::vector<double> pulls;
     for (const ShownFingerForce& force : found.grasps[0].fingers) {
-      pulls.push_back(force.pull_per_motor_N * demand.force_N);
+      pulls.push_back(force.pull_per_motor.sum_N() * demand.force_N);
     }
     EXPECT_NEAR(demand.work_J, demand.force_N * demand.stroke_mm / 1000, 1e-12);
     EXPECT_NEAR(demand.fingers_J, fingertip_work(hardware, pulls), 1e-6) << word;

@@ -1,0 +1,102 @@
+#include "reports/closing_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numbers>
+#include <string>
+
+#include "core/text.hpp"
+
+namespace reeve::reports {
+namespace {
+
+double in_deg(double radians) { return radians * 180 / std::numbers::pi; }
+
+bool has_objects(const ShownClosing& closing) {
+  return std::any_of(closing.motion.stops.begin(), closing.motion.stops.end(),
+                     [](const JointStop& stop) { return stop.at_object; });
+}
+
+Table closing_table(const ShownClosing& closing) {
+  // Every second step: the figure and the JSON have them all.
+  constexpr std::size_t stride = 2;
+  const std::vector<FingerPosture>& postures = closing.motion.closing;
+  const std::size_t joints = postures.front().flexion_rad.size();
+  const bool objects = has_objects(closing);
+  const bool forces = objects && !postures.front().contact_N.empty();
+  Table table{{number_column("excursion", "mm"), number_column("pull", "N")}, {}};
+  for (std::size_t j = 1; j <= joints; ++j) {
+    table.columns.push_back(number_column(fmt::format("joint {}", j), "deg"));
+  }
+  for (std::size_t j = 1; j <= joints && objects; ++j) {
+    table.columns.push_back(forces ? number_column(fmt::format("contact {}", j), "N")
+                                   : number_column(fmt::format("object {}", j), "N mm"));
+  }
+  for (std::size_t i = 0; i < postures.size(); i += stride) {
+    const FingerPosture& posture = postures[i];
+    std::vector<std::string> cells{fixed(posture.excursion_mm, 1), fixed(posture.pull_N, 2)};
+    for (const double flexion : posture.flexion_rad) cells.push_back(fixed(in_deg(flexion), 1));
+    for (std::size_t j = 0; j < joints && objects; ++j) {
+      cells.push_back(fixed(forces ? posture.contact_N[j] : posture.object_Nmm[j], 2));
+    }
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+DocumentLine stop_line(const ShownClosing& closing) {
+  std::vector<std::string> parts;
+  for (const JointStop& stop : closing.motion.stops) {
+    parts.push_back(fmt::format("joint {} at {} mm{}", stop.joint + 1, fixed(stop.excursion_mm, 1),
+                                stop.at_object ? " (object)" : ""));
+  }
+  return {fmt::format("Joints stop in this order: {}", fmt::join(parts, ", "))};
+}
+
+Json posture_json(const FingerPosture& posture) {
+  return {{"excursion_mm", posture.excursion_mm},
+          {"pull_N", posture.pull_N},
+          {"flexion_deg", list_json(posture.flexion_rad, in_deg)},
+          {"tension_N", posture.tension_N},
+          {"object_Nmm", posture.object_Nmm},
+          {"contact_N", posture.contact_N.empty() ? Json(nullptr) : Json(posture.contact_N)}};
+}
+
+Json stop_json(const JointStop& stop) {
+  return {{"joint", stop.joint + 1},
+          {"excursion_mm", stop.excursion_mm},
+          {"at_object", stop.at_object}};
+}
+
+}  // namespace
+
+std::string fingers_text(const ShownClosing& closing) {
+  return fmt::format("finger{} {}", closing.fingers.size() == 1 ? "" : "s",
+                     fmt::join(closing.fingers, ", "));
+}
+
+std::vector<Section> closing_sections(const std::vector<ShownClosing>& closings) {
+  std::vector<Section> sections;
+  for (const ShownClosing& closing : closings) {
+    sections.push_back({fmt::format("Hand: closing of {} in free motion, joint angles over the "
+                                    "excursion of the tendon",
+                                    fingers_text(closing)),
+                        closing_table(closing),
+                        {stop_line(closing)}});
+  }
+  return sections;
+}
+
+Json closings_json(const std::vector<ShownClosing>& closings) {
+  return list_json(closings, [](const ShownClosing& closing) {
+    return Json{{"fingers", closing.fingers},
+                {"closing", list_json(closing.motion.closing, posture_json)},
+                {"opening", list_json(closing.motion.opening, posture_json)},
+                {"stops", list_json(closing.motion.stops, stop_json)}};
+  });
+}
+
+}  // namespace reeve::reports

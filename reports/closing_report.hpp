@@ -1,0 +1,20 @@
+// The closing of fingers with guides or objects, for people and programs.
+#pragma once
+
+#include <vector>
+
+#include "reports/document/document.hpp"
+#include "reports/output/json.hpp"
+#include "studies/shown_hand.hpp"
+
+namespace reeve::reports {
+
+// A table of joint angles over excursion for each kind of finger, and the order of the stops.
+std::vector<Section> closing_sections(const std::vector<ShownClosing>& closings);
+
+Json closings_json(const std::vector<ShownClosing>& closings);
+
+// "finger 1", "fingers 1, 2"
+std::string fingers_text(const ShownClosing& closing);
+
+}  // namespace reeve::reports
