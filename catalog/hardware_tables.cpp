@@ -154,6 +154,17 @@ void read_contact(const TomlNode& node, Hardware& hardware) {
   validate_at(node, alone);
 }
 
+void read_spools(const TomlNode& file, Hardware& hardware) {
+  const TomlNode* node = file.find("spools");
+  if (node == nullptr) return;
+  Hardware alone;
+  for (const TomlNode& end : node->table().children) {
+    alone.spools = {{end.key, end.number_from_zero()}};
+    validate_at(end, alone);
+    hardware.spools.push_back(alone.spools.front());
+  }
+}
+
 void read_range(const TomlNode& table, std::string_view key, MuRange& range) {
   constexpr std::string_view expected =
       "two friction coefficients, the least and the greatest, such as [0.05, 0.20]";
@@ -262,8 +273,8 @@ void validate_at(const TomlNode& table, const Hardware& hardware) {
 }
 
 std::vector<std::string_view> hardware_table_names() {
-  return {"tube",    "bearing",     "block", "sheath", "lengths", "finger",
-          "contact", "uncertainty", "hand",  "motor",  "vary"};
+  return {"tube",    "bearing", "block",       "sheath", "lengths", "finger",
+          "contact", "spools",  "uncertainty", "hand",   "motor",   "vary"};
 }
 
 HardwareFile read_hardware_tables(const TomlNode& file) {
@@ -283,6 +294,7 @@ HardwareFile read_hardware_tables(const TomlNode& file) {
       read_contact(contact, result.hardware);
     }
   }
+  read_spools(file, result.hardware);
   read_motor(file, result.hardware);
   require_joints(file, result.hardware);
   result.uncertainty = read_uncertainty(file);

@@ -66,6 +66,11 @@ std::string hardware_toml(const Hardware& hardware, const UncertaintyRanges& unc
   text += hand_toml(hardware);
   for (const FingerHardware& finger : hardware.fingers) text += table(finger);
   for (const ContactHardware& contact : hardware.contacts) text += table(contact);
+  if (!hardware.spools.empty()) {
+    text += "[spools]\n";
+    for (const SpoolHardware& spool : hardware.spools) text += line(spool.segment, spool.ratio);
+    text += "\n";
+  }
   return text + "[uncertainty]\n" + line("tube_mu", uncertainty.tube_mu) +
          line("sheath_mu", uncertainty.sheath_mu) +
          line("bearing_mu_relative", uncertainty.bearing_mu_relative) +

@@ -59,8 +59,9 @@ void ExponentStep::end_run(const Place& place) {
     shift_[i] -= gain_[i] * shift / gain;
     gain_[i] *= weight / gain;
     if (place.network.segments[i].kind != SegmentKind::motor_side) continue;
-    motor_gain_ += place.tension[i] * gain_[i];
-    motor_shift_ += place.tension[i] * shift_[i];
+    const double pull = place.mechanics.spool(i) * place.tension[i];
+    motor_gain_ += pull * gain_[i];
+    motor_shift_ += pull * shift_[i];
   }
   run_.clear();
 }

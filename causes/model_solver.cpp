@@ -62,6 +62,7 @@ void ModelSolver::set_routing(const std::string& word, const Network& network,
   if (!contacts.empty()) {
     seized_ = seize(network, contacts);
     gather(plain_.length, seized_.segment_from);
+    if (!plain_.spools.empty()) gather(plain_.spools, seized_.segment_from);
     gather(plain_.phi, seized_.contact_from);
     gather(plain_.decay, seized_.contact_from);
     gather(number_, seized_.contact_from);

@@ -237,24 +237,44 @@ void ModelOption::list_in(std::vector<InputFile>& inputs) const {
   if (option_->count() > 0) inputs.push_back({file_, "the model"});
 }
 
-void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings) {
-  const MechanicsBuilder builder(hardware);
-  std::vector<std::string> unmatched = builder.unmatched_contacts({});
+namespace {
+
+using UnmatchedIn = std::vector<std::string> (MechanicsBuilder::*)(const Network&) const;
+
+// The first name that is in none of the routings.
+std::optional<std::string> first_unmatched(const MechanicsBuilder& builder, UnmatchedIn names,
+                                           const std::vector<Routing>& routings) {
+  std::vector<std::string> unmatched = (builder.*names)({});
   for (const Routing& routing : routings) {
-    const Network network = expand(routing);
-    require_in_range(builder, network, to_word(routing));
-    const std::vector<std::string> here = builder.unmatched_contacts(network);
-    std::erase_if(unmatched, [&](const std::string& contact) {
-      return std::find(here.begin(), here.end(), contact) == here.end();
+    const std::vector<std::string> here = (builder.*names)(expand(routing));
+    std::erase_if(unmatched, [&](const std::string& name) {
+      return std::find(here.begin(), here.end(), name) == here.end();
     });
   }
-  if (unmatched.empty()) return;
-  throw InputError({.where = hardware_place(hardware, "contact." + unmatched.front()),
-                    .what = "contact",
-                    .value = unmatched.front(),
-                    .expected = fmt::format(
-                        "two segments with a contact between them in {}",
-                        routings.size() == 1 ? to_word(routings.front()) : "one of the routings")});
+  return unmatched.empty() ? std::nullopt : std::optional(unmatched.front());
+}
+
+}  // namespace
+
+void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings) {
+  const MechanicsBuilder builder(hardware);
+  for (const Routing& routing : routings) {
+    require_in_range(builder, expand(routing), to_word(routing));
+  }
+  const std::string where =
+      routings.size() == 1 ? to_word(routings.front()) : "one of the routings";
+  const auto require = [&](const std::string& table, UnmatchedIn names, const char* expected) {
+    const auto name = first_unmatched(builder, names, routings);
+    if (!name) return;
+    throw InputError({.where = hardware_place(hardware, table + "." + *name),
+                      .what = table,
+                      .value = *name,
+                      .expected = fmt::format("{} in {}", expected, where)});
+  };
+  require("contact", &MechanicsBuilder::unmatched_contacts,
+          "two segments with a contact between them");
+  require("spools", &MechanicsBuilder::unmatched_spools,
+          "a motor-side segment that ends at an M (a P has no spool)");
 }
 
 void FormatOption::add_to(CLI::App& command, const std::vector<std::string>& formats) {

@@ -144,8 +144,8 @@ struct ModelOption {
   CLI::Option* option_ = nullptr;
 };
 
-// A contact that the hardware names must be in one of the routings: else it is likely a slip of the
-// pen in its file. Throws OutOfRange where its friction is beyond any contact's.
+// A contact or spool that the hardware names must be in one of the routings: else it is likely a
+// slip of the pen in its file. Throws OutOfRange where its friction is beyond any contact's.
 void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings);
 
 struct FormatOption {

@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/finger_guides.hpp"
 #include "core/hand.hpp"
+#include "core/network.hpp"
 #include "core/routing.hpp"
 
 namespace reeve::core {
@@ -125,6 +126,7 @@ constexpr Bounds angles{0, 1000, "rad"};
 constexpr Bounds lengths{1e-3, 1e6, "mm"};
 constexpr Bounds wobbles{0, 100, "rad/m"};
 constexpr Bounds closing_weights{1e-3, 1e3, ""};
+constexpr Bounds spool_ratios{1e-3, 1e3, ""};
 
 class FaultFinder {
  public:
@@ -142,6 +144,7 @@ class FaultFinder {
     range("sheath", "wobble_rad_per_m", hardware_.sheath.wobble_rad_per_m, wobbles);
     look_at_fingers();
     for (const ContactHardware& contact : hardware_.contacts) look_at(contact);
+    for (const SpoolHardware& spool : hardware_.spools) look_at(spool);
     return first_ ? first_ : hand_fault(hardware_);
   }
 
@@ -218,6 +221,16 @@ class FaultFinder {
     range(where, "angle_rad", contact.angle_rad, angles);
   }
 
+  void look_at(const SpoolHardware& spool) {
+    range("spools", spool.segment, spool.ratio, spool_ratios);
+    const auto segment = segment_named(spool.segment);
+    if (first_ || (segment && segment->kind == SegmentKind::motor_side)) return;
+    first_ = {.where = hardware_place(hardware_, "spools." + spool.segment),
+              .what = "spools",
+              .value = spool.segment,
+              .expected = "a motor-side segment such as a"};
+  }
+
   const Hardware& hardware_;
   std::optional<InputFault> first_;
 };
@@ -257,7 +270,7 @@ void validate(const Hardware& hardware) {
 }
 
 bool treats_fingers_alike(const Hardware& hardware, int fingers) {
-  if (!hardware.contacts.empty() || hardware.contact_draw) return false;
+  if (!hardware.contacts.empty() || !hardware.spools.empty() || hardware.contact_draw) return false;
   for (int finger = 2; finger <= fingers; ++finger) {
     if (coefficients_of(hardware, finger) != coefficients_of(hardware, 1)) return false;
     if (finger_parts(hardware, finger) != finger_parts(hardware, 1)) return false;

@@ -104,6 +104,14 @@ struct ContactHardware {
   friend bool operator==(const ContactHardware&, const ContactHardware&) = default;
 };
 
+// Spool of an end of a tendon on its motor's shaft, named by the motor-side segment.
+struct SpoolHardware {
+  std::string segment;
+  double ratio = 1;  // radius over that of the carriage's travel: the end travels ratio × D
+
+  friend bool operator==(const SpoolHardware&, const SpoolHardware&) = default;
+};
+
 // No two contacts are alike: liners are cut and glued by hand, and each bend is a little other. In
 // a draw each contact's exponent is that of its kind times 1 + σ z, z standard normal and a
 // function of seed, draw and the contact's place in the network alone; at least 0. What the
@@ -141,7 +149,8 @@ struct Hardware {
   double hand_mm = 100;
   std::vector<FingerHardware> fingers;
   std::vector<ContactHardware> contacts;
-  FingerParts finger_parts{};  // of fingers that have none of their own
+  std::vector<SpoolHardware> spools{};  // of ends whose spool is not as the others
+  FingerParts finger_parts{};           // of fingers that have none of their own
   MotorParts motor{};
   ContactScatter scatter{};
   std::optional<ContactDraw> contact_draw{};  // of no file; without it the nominal exponents hold
@@ -157,7 +166,7 @@ std::string hardware_place(const Hardware& hardware, std::string key);
 inline constexpr double max_exponent = 10;
 
 // True if fingers 1 … n have the same parts, of their own or by default. Fingers are not alike if a
-// contact has values of its own, or if contacts are drawn with scatter.
+// contact or a spool has values of its own, or if contacts are drawn with scatter.
 bool treats_fingers_alike(const Hardware& hardware, int fingers);
 
 // The first quantity out of its range, with its value and what was expected; nothing if the

@@ -5,11 +5,11 @@
 
 namespace reeve::core {
 
-double ClosingAlike::given_up(const Network& network) {
+double ClosingAlike::given_up(const Network& network, const Mechanics& mechanics) {
   double sum = 0;
   if (network.blocks.empty()) {
-    for (const Segment& segment : network.segments) {
-      if (segment.kind == SegmentKind::motor_side) ++sum;
+    for (std::size_t i = 0; i < network.segments.size(); ++i) {
+      if (network.segments[i].kind == SegmentKind::motor_side) sum += mechanics.spool(i);
     }
     return sum;
   }
@@ -18,6 +18,7 @@ double ClosingAlike::given_up(const Network& network) {
   mechanics_.phi.assign(network.contacts.size(), 0);
   mechanics_.decay.assign(network.contacts.size(), 1);
   mechanics_.closing.assign(static_cast<std::size_t>(network.fingers), 1);
+  mechanics_.spools = mechanics.spools;
   kinematics_.solve(network, mechanics_, Grasp{}, Direction::pull, motion_);
   for (const Segment& segment : network.segments) {
     if (segment.kind != SegmentKind::strand) continue;
@@ -27,7 +28,8 @@ double ClosingAlike::given_up(const Network& network) {
 }
 
 Indicators indicators(const Network& network, const TensionState& state) {
-  return indicators(network, state, finger_pulls(network, state), ClosingAlike().given_up(network));
+  return indicators(network, state, finger_pulls(network, state),
+                    ClosingAlike().given_up(network, {}));
 }
 
 Indicators indicators(const Network& network, const TensionState& state, const FingerPulls& pulls,

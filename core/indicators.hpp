@@ -35,8 +35,8 @@ struct Indicators {
 class ClosingAlike {
  public:
   // c: what all strands together give up per unit of carriage travel, whatever the hardware says of
-  // the fingers' shares. 0 where the carriage is blocked.
-  double given_up(const Network& network);
+  // the fingers' shares. 0 where the carriage is blocked. Of the mechanics only the spools tell.
+  double given_up(const Network& network, const Mechanics& mechanics);
 
  private:
   Mechanics mechanics_;

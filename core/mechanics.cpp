@@ -36,6 +36,9 @@ MechanicsBuilder::MechanicsBuilder(const Hardware& hardware) : hardware_(hardwar
     by_contact_.push_back(
         {parse_segment(contact.segment), parse_segment(contact.other_segment), contact});
   }
+  for (const SpoolHardware& spool : hardware_.spools) {
+    spools_.push_back({*segment_named(spool.segment), spool.ratio});
+  }
   if (const auto known = hand(hardware_)) {
     bool any_guide = false;
     for (const HandFinger& finger : known->fingers) {
@@ -124,6 +127,18 @@ void MechanicsBuilder::apply(const Network& network, Mechanics& mechanics) const
   if (!guide_exponent_.empty()) add_guides(network, mechanics);
   if (hardware_.contact_draw) apply_scatter(network, mechanics);
   if (!excursion_.empty()) close_by_excursions(mechanics);
+  apply_spools(network, mechanics);
+}
+
+void MechanicsBuilder::apply_spools(const Network& network, Mechanics& mechanics) const {
+  mechanics.spools.clear();
+  if (spools_.empty()) return;
+  mechanics.spools.assign(network.segments.size(), 1.0);
+  for (const Spool& spool : spools_) {
+    if (const auto end = find_motor_end(network, spool.segment)) {
+      mechanics.spools[*end] = spool.ratio;
+    }
+  }
 }
 
 void MechanicsBuilder::add_guides(const Network& network, Mechanics& mechanics) const {
@@ -235,6 +250,14 @@ std::vector<std::string> MechanicsBuilder::unmatched_contacts(const Network& net
       }
     }
     if (!found) unmatched.push_back(name_of(wanted.law));
+  }
+  return unmatched;
+}
+
+std::vector<std::string> MechanicsBuilder::unmatched_spools(const Network& network) const {
+  std::vector<std::string> unmatched;
+  for (const Spool& spool : spools_) {
+    if (!find_motor_end(network, spool.segment)) unmatched.push_back(segment_name(spool.segment));
   }
   return unmatched;
 }

@@ -17,7 +17,12 @@ struct Mechanics {
   std::vector<double> phi;      // friction exponents of the contacts
   std::vector<double> decay;    // e^{-phi}
   std::vector<double> closing;  // closing weights of fingers 1 … n
-  bool in_range = true;         // no exponent is beyond max_exponent
+  // Of the motor-side segments' spools: the end's travel over that of its carriage. Empty if all
+  // are 1.
+  std::vector<double> spools{};
+  bool in_range = true;  // no exponent is beyond max_exponent
+
+  double spool(std::size_t segment) const { return spools.empty() ? 1 : spools[segment]; }
 };
 
 // Prepared hardware: what does not depend on the routing is computed once, so that `apply` costs a
@@ -44,6 +49,10 @@ class MechanicsBuilder {
   // Contact overrides that name no contact of this network; as the user wrote them.
   std::vector<std::string> unmatched_contacts(const Network& network) const;
 
+  // Spools that are of no end at a motor (M) of this network: a pulley of the carriage (P) has
+  // none.
+  std::vector<std::string> unmatched_spools(const Network& network) const;
+
   // Throws OutOfRange that names the contact if an exponent is beyond max_exponent: only a contact
   // of its own can have one that the hardware's faults do not tell.
   const Mechanics& require_in_range(const Network& network, const Mechanics& mechanics) const;
@@ -59,11 +68,17 @@ class MechanicsBuilder {
     }
   };
 
+  struct Spool {
+    Segment segment;
+    double ratio;
+  };
+
   ContactLaw law(ContactKind kind) const;
   ContactLaw law(const Contact& contact) const;
   void prepare(ContactKind kind);
   void apply_overrides(const Network& network, Mechanics& mechanics) const;
   void apply_scatter(const Network& network, Mechanics& mechanics) const;
+  void apply_spools(const Network& network, Mechanics& mechanics) const;
   double deviation(const Network& network, const TendonSpan& tendon, std::size_t k) const;
   // True if the file gives a coefficient for this contact alone, or for its finger.
   bool has_own_mu(const Network& network, const TendonSpan& tendon, std::size_t k) const;
@@ -77,6 +92,7 @@ class MechanicsBuilder {
   std::array<double, 5> decay_{};
   std::vector<std::optional<FingerHardware>> by_finger_;
   std::vector<ContactOverride> by_contact_;
+  std::vector<Spool> spools_;
   std::vector<double> excursion_;  // of fingers 1 …, 0 without joints; empty without a hand
   // What the guides of fingers 1 … add to the exponents of their tips, each passed by both strands;
   // empty without any.

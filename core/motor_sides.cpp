@@ -31,16 +31,6 @@ std::string motor_name(int carriage) {
   return carriage == 1 ? "M" : "M" + std::to_string(carriage);
 }
 
-std::vector<double> motor_tensions(const Network& network, const std::vector<double>& tension) {
-  std::vector<double> motors(static_cast<std::size_t>(carriage_count(network)), 0.0);
-  for (std::size_t i = 0; i < network.segments.size(); ++i) {
-    const Segment& segment = network.segments[i];
-    if (segment.kind != SegmentKind::motor_side) continue;
-    motors[static_cast<std::size_t>(segment.carriage) - 1] += tension[i];
-  }
-  return motors;
-}
-
 std::optional<Segment> motor_side_at(const Network& network, const Segment& strand) {
   for (const MotorSide& side : motor_sides(network)) {
     if (network.segments[side.hand] == strand) return network.segments[side.motor_side];

@@ -24,10 +24,6 @@ std::vector<MotorSide> motor_sides(const Network& network);
 int carriage_count(const Network& network);
 std::string motor_name(int carriage);
 
-// Tension of each motor, the sum over the segments on its carriage, in the unit of `tension`, which
-// is parallel to the network's segments.
-std::vector<double> motor_tensions(const Network& network, const std::vector<double>& tension);
-
 // The motor-side segment whose sheath leads to that strand, if it has one.
 std::optional<Segment> motor_side_at(const Network& network, const Segment& strand);
 

@@ -250,6 +250,17 @@ std::optional<std::size_t> find_segment(const Network& network, const Segment& w
   return static_cast<std::size_t>(found - network.segments.begin());
 }
 
+std::optional<std::size_t> find_motor_end(const Network& network, const Segment& wanted) {
+  const auto at = find_segment(network, wanted);
+  if (!at || wanted.kind != SegmentKind::motor_side) return std::nullopt;
+  const bool ends =
+      std::any_of(network.tendons.begin(), network.tendons.end(), [&](const TendonSpan& tendon) {
+        return !tendon.closed &&
+               (*at == tendon.first_segment || *at + 1 == tendon.first_segment + tendon.segments);
+      });
+  return ends ? at : std::nullopt;
+}
+
 std::optional<Segment> segment_named(std::string_view text) {
   const bool numbered = text.size() > 1 && text.size() < 6 && (text[0] == 'T' || text[0] == 'h') &&
                         text.find_first_not_of("0123456789", 1) == std::string_view::npos &&

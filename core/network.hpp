@@ -121,6 +121,8 @@ inline ContactEnds ends_of(const TendonSpan& tendon, std::size_t k) {
 
 // The place of a segment among the network's, if it has it.
 std::optional<std::size_t> find_segment(const Network& network, const Segment& wanted);
+// The same of a motor-side segment that ends at a motor's carriage, not at a pulley on it.
+std::optional<std::size_t> find_motor_end(const Network& network, const Segment& wanted);
 
 // Y1, W1.
 std::string block_name(const Block& block);

@@ -77,7 +77,7 @@ HtmlTable tension_table(const ShownRouting& report) {
     std::vector<std::string> cells{heading(shown)};
     for (const double tension : shown.state.tension) cells.push_back(fixed(tension));
     if (motors > 1) {
-      for (const double tension : motor_tensions(report.network, shown.state.tension)) {
+      for (const double tension : motor_tensions(report.network, shown.state)) {
         cells.push_back(fixed(tension));
       }
     }

@@ -37,7 +37,7 @@ Json grasp_json(const Network& network, const ShownGrasp& shown) {
   Json json{{"held", held_fingers(shown.grasp)}, {"jams", shown.state.jams}};
   add_carriages(json, shown.grasp);
   if (carriage_count(network) > 1) {
-    json["motors"] = list_json(motor_tensions(network, shown.state.tension), number);
+    json["motors"] = list_json(motor_tensions(network, shown.state), number);
   }
   json["tensions"] = Json::object();
   json["shares"] = Json::object();
@@ -97,7 +97,7 @@ Table tension_table(const ShownRouting& report) {
     std::vector<std::string> cells{held_text(shown)};
     for (const double tension : shown.state.tension) cells.push_back(fixed(tension));
     if (motors > 1) {
-      for (const double tension : motor_tensions(report.network, shown.state.tension)) {
+      for (const double tension : motor_tensions(report.network, shown.state)) {
         cells.push_back(fixed(tension));
       }
     }
@@ -158,25 +158,34 @@ Table objective_list(const ShownRouting& report) {
   return table;
 }
 
+std::optional<double> spool_ratio(const Hardware& hardware, const std::string& segment) {
+  for (const SpoolHardware& spool : hardware.spools) {
+    if (spool.segment == segment) return spool.ratio;
+  }
+  return std::nullopt;
+}
+
 // "a at T1, b at T4": which letter is where, since letters run in walk order; of several motors
-// "a at T1 (M), b at T4 (M2)".
-std::string letter_key(const Network& network) {
+// "a at T1 (M), b at T4 (M2)"; on a spool of its own "b at T4 (spool 0.5)".
+std::string letter_key(const Network& network, const Hardware& hardware) {
   const bool several = carriage_count(network) > 1;
   std::string key;
   for (const MotorSide& side : motor_sides(network)) {
-    key += (key.empty() ? "" : ", ") + segment_name(network.segments[side.motor_side]) + " at " +
-           segment_name(network.segments[side.hand]);
+    const std::string name = segment_name(network.segments[side.motor_side]);
+    key += (key.empty() ? "" : ", ") + name + " at " + segment_name(network.segments[side.hand]);
     if (several) key += " (" + motor_name(network.segments[side.motor_side].carriage) + ")";
+    if (const auto spool = spool_ratio(hardware, name)) key += fmt::format(" (spool {})", *spool);
   }
   return key;
 }
 
-Json letter_key_json(const Network& network) {
+Json letter_key_json(const Network& network, const Hardware& hardware) {
   const bool several = carriage_count(network) > 1;
   return list_json(motor_sides(network), [&](const MotorSide& side) {
-    Json json{{"segment", segment_name(network.segments[side.motor_side])},
-              {"beside", segment_name(network.segments[side.hand])}};
+    const std::string name = segment_name(network.segments[side.motor_side]);
+    Json json{{"segment", name}, {"beside", segment_name(network.segments[side.hand])}};
     if (several) json["motor"] = network.segments[side.motor_side].carriage;
+    if (const auto spool = spool_ratio(hardware, name)) json["spool"] = *spool;
     return json;
   });
 }
@@ -203,7 +212,7 @@ Document show_document(const ShownRouting& report) {
   if (report.own_hardware) {
     lines.push_back({"With its own hardware, from the catalogue; --hardware FILE takes another"});
   }
-  if (const std::string key = letter_key(report.network); !key.empty()) {
+  if (const std::string key = letter_key(report.network, report.model.hardware); !key.empty()) {
     lines.push_back({"Motor-side segments, in walk order: " + key});
   }
   if (const std::string shared = shared_carriage_text(report.network); !shared.empty()) {
@@ -235,7 +244,7 @@ Json to_json(const ShownRouting& report) {
             {"name", text_or_null(report.name)},
             {"canonical", report.canonical},
             {"direction", direction_name(report.direction)},
-            {"motor_sides", letter_key_json(report.network)},
+            {"motor_sides", letter_key_json(report.network, report.model.hardware)},
             {"trees", tree_count(report.network)}};
   if (report.own_hardware) json["own_hardware"] = to_json(report.model.hardware);
   json["grasps"] = list_json(

@@ -260,6 +260,13 @@ void require_names(const NumberNodes& nodes, const PublishedNumber& number,
                                                       "in {}",
                                                       number.word)});
   }
+  const auto ends = MechanicsBuilder(rig.hardware).unmatched_spools(network);
+  if (!ends.empty()) {
+    nodes.number.fail_at_key(
+        {.what = "spools",
+         .value = ends.front(),
+         .expected = fmt::format("a motor-side segment that ends at an M in {}", number.word)});
+  }
   TensionState state;
   state.tension.assign(network.segments.size(), 1);
   state.closing.assign(static_cast<std::size_t>(network.fingers), 1);

@@ -29,7 +29,7 @@ TendonTally tally(const Network& network, const TendonSpan& tendon, const Mechan
   for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
     const Segment& segment = network.segments[i];
     if (segment.kind == SegmentKind::motor_side) {
-      const double travel = grasp.travel(segment.carriage);
+      const double travel = end_travel(network, mechanics, grasp, i);
       tally.has_motor_side = true;
       tally.is_driven |= travel != 0;
       tally.motor_sides += travel;
@@ -54,7 +54,7 @@ void impose_jam(const Network& network, const TendonSpan& tendon, const Mechanic
   for (std::size_t i = tendon.first_segment; i < end; ++i) {
     motion.imposed[i] = 0;
     if (pull) {
-      motion.take_up[i] = is_motor_side(i) ? grasp.travel(network.segments[i].carriage) : 0;
+      motion.take_up[i] = is_motor_side(i) ? end_travel(network, mechanics, grasp, i) : 0;
     } else {
       motion.take_up[i] = has_hand && is_motor_side(i) ? 0 : mechanics.length[i];
     }
@@ -63,14 +63,14 @@ void impose_jam(const Network& network, const TendonSpan& tendon, const Mechanic
 
 // `closing_of` gives the dl of a closing finger's strand.
 template <typename ClosingOf>
-void impose_travel(const Network& network, const TendonSpan& tendon, Grasp grasp,
-                   Direction direction, ClosingOf closing_of, Motion& motion) {
+void impose_travel(const Network& network, const Mechanics& mechanics, const TendonSpan& tendon,
+                   const Grasp& grasp, Direction direction, ClosingOf closing_of, Motion& motion) {
   const double sign = direction == Direction::pull ? 1 : -1;
   for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
     const Segment& segment = network.segments[i];
     motion.imposed[i] = 0;
     if (segment.kind == SegmentKind::motor_side) {
-      motion.imposed[i] = sign * grasp.travel(segment.carriage);
+      motion.imposed[i] = sign * end_travel(network, mechanics, grasp, i);
     } else if (closes(segment, grasp)) {
       const double dl = closing_of(segment);
       motion.imposed[i] = -sign * dl;
@@ -116,10 +116,12 @@ void add_circulation(const TendonSpan& tendon, double circulation, Motion& motio
   }
 }
 
-bool carriages_move_alike(const Network& network, const Grasp& grasp) {
-  return std::all_of(network.segments.begin(), network.segments.end(), [&](const Segment& segment) {
-    return segment.kind != SegmentKind::motor_side || grasp.travel(segment.carriage) == 1;
-  });
+bool ends_move_alike(const Network& network, const Mechanics& mechanics, const Grasp& grasp) {
+  for (std::size_t i = 0; i < network.segments.size(); ++i) {
+    if (network.segments[i].kind != SegmentKind::motor_side) continue;
+    if (end_travel(network, mechanics, grasp, i) != 1) return false;
+  }
+  return true;
 }
 
 // A blocked carriage moves nothing, on no tendon.
@@ -173,7 +175,7 @@ void Kinematics::solve_tree(const Network& network, const Mechanics& mechanics, 
     const TendonSpan& tendon = network.tendons[t];
     if (tendon.tree != tree) continue;
     if (moves == TreeState::moves) {
-      impose_travel(network, tendon, grasp, direction, found, motion);
+      impose_travel(network, mechanics, tendon, grasp, direction, found, motion);
     } else {
       motion.jams[t] = 1;
       impose_jam(network, tendon, mechanics, grasp, direction, motion);
@@ -185,7 +187,7 @@ void Kinematics::solve_tree(const Network& network, const Mechanics& mechanics, 
 
 void Kinematics::solve_split(const Network& network, const Mechanics& mechanics, Grasp grasp,
                              Direction direction, Motion& motion) {
-  motion.undetermined = !carriages_move_alike(network, grasp);
+  motion.undetermined = !ends_move_alike(network, mechanics, grasp);
   SplitClosing split = split_closing(network, mechanics, grasp);
   motion.block_travel = split.block_travel;
   const auto found = [&](const Segment& segment) {
@@ -197,7 +199,7 @@ void Kinematics::solve_split(const Network& network, const Mechanics& mechanics,
     if (split.jams[t] != 0) {
       impose_jam(network, tendon, mechanics, grasp, direction, motion);
     } else {
-      impose_travel(network, tendon, grasp, direction, found, motion);
+      impose_travel(network, mechanics, tendon, grasp, direction, found, motion);
     }
     if (split.slack[t] != 0) continue;
     settle_slip(network, tendon, mechanics, direction, motion);
@@ -227,7 +229,7 @@ void Kinematics::solve_tendon(const Network& network, const Mechanics& mechanics
     const auto shared = [&](const Segment& segment) {
       return sums.motor_sides * closing_weight(segment, mechanics) / sums.closing_weight;
     };
-    impose_travel(network, tendon, grasp, direction, shared, motion);
+    impose_travel(network, mechanics, tendon, grasp, direction, shared, motion);
   }
   accumulate_slip(tendon, motion);
   if (tendon.closed) add_circulation(tendon, circulation(tendon, mechanics, motion), motion);

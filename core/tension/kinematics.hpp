@@ -1,10 +1,11 @@
 // What carriage and fingers impose on a tendon, and how the tendon slips through its contacts.
 //
-// The carriage travels D = 1, those of several motors v_c D as the grasp says. Pulling, every
-// motor-side segment i has e_i = +v_c D imposed and each strand of a closing finger e_i = -dl;
-// releasing, the signs are reversed. The closing fingers of a tendon share its travel by their
-// closing weights, so that along a tendon of an inextensible thread the e_i add up to zero. Slip
-// s_k (from the left to the right segment of contact k) follows:
+// The carriage travels D = 1, those of several motors v_c D as the grasp says, and an end on a
+// spool of its own r_i times that. Pulling, every motor-side segment i has e_i = +r_i v_c D imposed
+// and each strand of a closing finger e_i = -dl; releasing, the signs are reversed. The closing
+// fingers of a tendon share its travel by their closing weights, so that along a tendon of an
+// inextensible thread the e_i add up to zero. Slip s_k (from the left to the right segment of
+// contact k) follows:
 //
 //   e_i + s_i - s_{i-1} = 0,      on a loop up to a circulation c that minimises Σ phi_k |s_k|:
 //                                 the friction-weighted median

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/motor_sides.hpp"
 
 namespace reeve::core {
 namespace {
@@ -18,29 +19,36 @@ double cone_excess(double left, double right, double decay) {
   return std::max(left, right) * decay / std::min(left, right) - 1;
 }
 
-bool scale_to_unit_motor_tension(const Network& network, std::vector<double>& tension) {
+// Virtual work: a spool of radius r pulls the carriage with r times its tendon's tension.
+void scale_to_unit_motor_tension(const Network& network, const Mechanics& mechanics,
+                                 TensionState& state) {
   double motor = 0;
-  for (std::size_t i = 0; i < tension.size(); ++i) {
-    if (network.segments[i].kind == SegmentKind::motor_side) motor += tension[i];
+  state.motor_tension.fill(0);
+  for (std::size_t i = 0; i < state.tension.size(); ++i) {
+    const Segment& segment = network.segments[i];
+    if (segment.kind != SegmentKind::motor_side) continue;
+    const double pull = mechanics.spool(i) * state.tension[i];
+    state.motor_tension[static_cast<std::size_t>(segment.carriage) - 1] += pull;
+    motor += pull;
   }
-  for (double& t : tension) t /= motor;
-  return std::isnormal(motor);
+  for (double& t : state.tension) t /= motor;
+  for (double& t : state.motor_tension) t /= motor;
+  state.in_range &= std::isnormal(motor);
 }
 
 // Exactly 1 if all carriages travel D.
-double motor_work(const Network& network, const Grasp& grasp, const std::vector<double>& tension) {
+double motor_work(const Grasp& grasp, const TensionState& state) {
   double work = 1;
-  for (std::size_t i = 0; i < tension.size(); ++i) {
-    const Segment& segment = network.segments[i];
-    if (segment.kind != SegmentKind::motor_side) continue;
-    work += (grasp.travel(segment.carriage) - 1) * tension[i];
+  for (std::size_t motor = 0; motor < max_carriages; ++motor) {
+    work += (grasp.carriages.over_D[motor] - 1) * state.motor_tension[motor];
   }
   return work;
 }
 
-void make_absolute(const Network& network, const Grasp& grasp, TensionState& state) {
-  state.in_range &= scale_to_unit_motor_tension(network, state.tension);
-  state.motor_work = motor_work(network, grasp, state.tension);
+void make_absolute(const Network& network, const Mechanics& mechanics, const Grasp& grasp,
+                   TensionState& state) {
+  scale_to_unit_motor_tension(network, mechanics, state);
+  state.motor_work = motor_work(grasp, state);
   if (!state.in_range) {
     std::fill(state.tension.begin(), state.tension.end(), std::numeric_limits<double>::quiet_NaN());
   }
@@ -145,7 +153,7 @@ void TensionSolver::solve_relative(const Network& network, const Mechanics& mech
 void TensionSolver::solve(const Network& network, const Mechanics& mechanics, Grasp grasp,
                           Direction direction, TensionState& state) {
   solve_relative(network, mechanics, grasp, direction, state);
-  make_absolute(network, grasp, state);
+  make_absolute(network, mechanics, grasp, state);
 }
 
 void TensionSolver::solve_again(const Network& network, const Mechanics& mechanics, Grasp grasp,
@@ -160,7 +168,12 @@ void TensionSolver::solve_again(const Network& network, const Mechanics& mechani
   state.closing.swap(motion_.closing);
   state.block_travel.swap(motion_.block_travel);
   solve_in_motion(network, mechanics, state);
-  make_absolute(network, grasp, state);
+  make_absolute(network, mechanics, grasp, state);
+}
+
+std::vector<double> motor_tensions(const Network& network, const TensionState& state) {
+  const auto* const first = state.motor_tension.begin();
+  return {first, first + carriage_count(network)};
 }
 
 const TensionState& require_in_range(const TensionState& state, Grasp grasp) {
@@ -168,8 +181,8 @@ const TensionState& require_in_range(const TensionState& state, Grasp grasp) {
   throw OutOfRange(
       "held " + to_text(grasp) +
       ": the motor tension cannot be computed: a tendon hangs on no motor, blocks are free to move "
-      "against each other, a finger would have to open, carriages move unlike each other beside a "
-      "seized contact, or friction is so strong that tensions fall out of range");
+      "against each other, a finger would have to open, ends at motors travel unlike each other beside "
+      "a seized contact, or friction is so strong that tensions fall out of range");
 }
 
 TensionState tensions(const Network& network, const Mechanics& mechanics, Grasp grasp,

@@ -37,7 +37,7 @@ Constraints constraints(const Network& network, const Mechanics& mechanics, Gras
   for (Eigen::Index row = 0; row < rows; ++row) {
     const TendonSpan& tendon = network.tendons[static_cast<std::size_t>(row)];
     for_each_term(
-        network, tendon, grasp, [&](double length) { result.motor(row) += length; },
+        network, mechanics, tendon, grasp, [&](double length) { result.motor(row) += length; },
         [&](int finger, double factor) { result.give(row, finger - 1) += factor; },
         [&](std::size_t block, double factor) {
           result.give(row, fingers + static_cast<Eigen::Index>(block)) -= factor;

@@ -59,7 +59,7 @@ struct CommonClosing {
     for (const TendonSpan& tendon : network.tendons) {
       if (tendon.tree != tree) continue;
       for_each_term(
-          network, tendon, grasp,
+          network, mechanics, tendon, grasp,
           [&](double length) {
             motor(row) += length;
             (length < 0 ? lets_out : drives) |= length != 0;
@@ -103,7 +103,7 @@ TreeMotion nearly_common_closing(const Network& network, const Mechanics& mechan
   for (const TendonSpan& tendon : network.tendons) {
     if (tendon.tree != tree) continue;
     for_each_term(
-        network, tendon, grasp, [&](double length) { right(row) -= length; },
+        network, mechanics, tendon, grasp, [&](double length) { right(row) -= length; },
         [&](int finger, double factor) {
           free[static_cast<std::size_t>(finger) - 1] = true;
           matrix(row, m + finger - 1) -= factor;
@@ -204,7 +204,7 @@ bool balanced_ratios(const Network& network, const Mechanics& mechanics, std::si
   for (const TendonSpan& tendon : network.tendons) {
     if (tendon.tree != tree) continue;
     for_each_term(
-        network, tendon, Grasp{}, [&](double length) { motor += balance(row) * length; },
+        network, mechanics, tendon, Grasp{}, [&](double length) { motor += balance(row) * length; },
         [&](int finger, double factor) {
           ratios[static_cast<std::size_t>(finger) - 1] +=
               balance(row) * factor * closing_weight(mechanics, finger);

@@ -1,6 +1,7 @@
 // How fingers close and blocks move where blocks tie tendons together.
 //
-// The carriage travels D = 1, those of several motors as the grasp says. A block that moves by z
+// The carriage travels D = 1, those of several motors as the grasp says, and an end on a spool of
+// its own as the hardware says. A block that moves by z
 // towards its tails takes up z on each strand of a pass and on a becket, and gives z to a tail. The
 // closing fingers of a tree share one dl, by their closing weights; for every tendon
 //
@@ -76,14 +77,22 @@ inline bool closes(const Segment& segment, const Grasp& grasp) {
   return segment.kind == SegmentKind::strand && !grasp.holds(segment.finger);
 }
 
+// Travel of the end of a motor-side segment over D.
+inline double end_travel(const Network& network, const Mechanics& mechanics, const Grasp& grasp,
+                         std::size_t segment) {
+  return grasp.travel(network.segments[segment].carriage) * mechanics.spool(segment);
+}
+
 // The terms of a tendon's equation: calls on_motor(length), on_closing(finger, factor) for what a
 // dl of that finger gives up, and on_block(block, factor) for what a z of that block takes up.
 template <typename OnMotor, typename OnClosing, typename OnBlock>
-void for_each_term(const Network& network, const TendonSpan& tendon, const Grasp& grasp,
-                   OnMotor on_motor, OnClosing on_closing, OnBlock on_block) {
+void for_each_term(const Network& network, const Mechanics& mechanics, const TendonSpan& tendon,
+                   const Grasp& grasp, OnMotor on_motor, OnClosing on_closing, OnBlock on_block) {
   for_each_weighted_segment(network, tendon, [&](std::size_t i, double weight) {
     const Segment& segment = network.segments[i];
-    if (segment.kind == SegmentKind::motor_side) on_motor(weight * grasp.travel(segment.carriage));
+    if (segment.kind == SegmentKind::motor_side) {
+      on_motor(weight * end_travel(network, mechanics, grasp, i));
+    }
     if (closes(segment, grasp)) on_closing(segment.finger, weight);
   });
   for_each_pull(network, tendon, [&](std::size_t, std::size_t block, double sign, double weight) {

@@ -281,7 +281,7 @@ Schematic schematic(const Network& network, const Places& places, const std::str
   const SchematicFrame frame{
       title, subtitle(view, network.fingers), view.grasp, with_legend, true, has_slack(view.state)};
   return {layout(network, frame, places), &view.state, view.direction, view.grasp.carriages,
-          motor_tensions(network, view.state.tension)};
+          motor_tensions(network, view.state)};
 }
 
 std::string schematic_svg(const Schematic& schematic, const std::string& ids) {

@@ -81,6 +81,8 @@ constexpr MappingTable tables[] = {
     {"contacts", "contact",
      "What is different at one contact, by the segments beside it: "
      "``{\"a-T1\": {\"mu\": 0.2}}``."},
+    {"spools", "spools",
+     "Spool of an end at a motor, over that of the carriage, by its segment: ``{\"b\": 0.5}``."},
     {"hand", "hand", "Joints and force of every finger that has none of its own."},
     {"motor", "motor", "Spool, force and stroke of the motor."},
     {"uncertainty", "uncertainty", "How well the coefficients are known."},
@@ -196,7 +198,7 @@ Parameters
     coefficients; ``mu_tube`` is ``tube_mu``), ``tube_angle_rad``, …
     (wrap angles, rad), ``strand_mm``, ``motor_side_mm``, ``hand_mm`` (lengths,
     mm). What is not given is the paper's.
-fingers, contacts, hand, motor, uncertainty : mapping
+fingers, contacts, spools, hand, motor, uncertainty : mapping
     The tables of a hardware file (catalog/hardware/example.toml), with its
     names: what is different at one finger, ``{2: {"tip_mu": 0.09}}``, or at
     one contact, ``{"a-T1": {"mu": 0.2}}``; joints and forces of a hand; its

@@ -66,8 +66,9 @@ const Catalogue& the_catalogue() {
 }
 
 void require_contacts(const BoundHardware& hardware, const std::vector<Routing>& routings) {
-  if (hardware.file.hardware.contacts.empty()) return;
-  cli::require_contacts_to_match(hardware.file.hardware, routings);
+  const Hardware& given = hardware.file.hardware;
+  if (given.contacts.empty() && given.spools.empty()) return;
+  cli::require_contacts_to_match(given, routings);
 }
 
 void bind_routing(py::module_& module) {

@@ -36,7 +36,7 @@ BoundTensions solve(const std::shared_ptr<BoundRouting>& routing, const py::obje
   thread_local Mechanics mechanics;
   thread_local TensionSolver solver;
   const auto used = hardware_from(hardware);
-  if (!used->file.hardware.contacts.empty()) require_contacts(*used, {routing->routing});
+  require_contacts(*used, {routing->routing});
   used->builder.apply(routing->network, mechanics);
   used->builder.require_in_range(routing->network, mechanics);
   BoundTensions result{routing,

@@ -115,6 +115,7 @@ Json to_json(const Hardware& hardware) {
     add_if_given(entry, "angle_rad", contact.angle_rad);
     return entry;
   });
+  for (const SpoolHardware& spool : hardware.spools) json["spools"][spool.segment] = spool.ratio;
   if (!hand(hardware)) return json;
   json["hand"] = Json::object();
   add_parts(json["hand"], hardware.finger_parts);

@@ -107,16 +107,15 @@ GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const Evaluat
 // Without blocks a tendon gives to its strands what the carriage takes from it. One that has none
 // lets the carriage not move.
 double DesignEvaluator::travel() {
-  const auto count = [&](SegmentKind kind) {
-    return static_cast<double>(
-        std::count_if(network_.segments.begin(), network_.segments.end(),
-                      [kind](const Segment& segment) { return segment.kind == kind; }));
-  };
-  const double strands = count(SegmentKind::strand);
-  if (strands == 0) return 0;
-  if (network_.blocks.empty() && !blocks_the_carriage(network_)) {
-    return strands / count(SegmentKind::motor_side);
+  double strands = 0;
+  double motor_sides = 0;
+  for (std::size_t i = 0; i < network_.segments.size(); ++i) {
+    const SegmentKind kind = network_.segments[i].kind;
+    if (kind == SegmentKind::strand) ++strands;
+    if (kind == SegmentKind::motor_side) motor_sides += mechanics_.spool(i);
   }
+  if (strands == 0) return 0;
+  if (network_.blocks.empty() && !blocks_the_carriage(network_)) return strands / motor_sides;
   kinematics_.solve(network_, mechanics_, Grasp{}, Direction::pull, motion_);
   double closing = 0;
   for (const Segment& segment : network_.segments) {
@@ -201,7 +200,7 @@ ContactQuantiles DesignEvaluator::contact_quantiles() {
 void DesignEvaluator::find_outcome(const Routing& routing, const EvaluationScope& scope) {
   set_routing(routing);
   is_shared_ = shared_ && shared_->set_routing(routing);
-  if (scope.indicators) given_up_equivalent_ = closing_alike_.given_up(network_);
+  if (scope.indicators) given_up_equivalent_ = closing_alike_.given_up(network_, mechanics_);
   outcome_.grasps.clear();
   for (const WeightedGrasp& grasp : grasps_) outcome_.grasps.push_back(in_grasp(grasp, scope));
   outcome_.parts = parts(network_);

@@ -15,8 +15,8 @@ constexpr std::size_t most_shared_trees = 8192;
 
 bool have_like_fingers(const Model& model) {
   const Hardware hardware = possible_hardware(model);
-  return hardware.fingers.empty() && hardware.contacts.empty() && !hardware.contact_draw &&
-         !hand(hardware);
+  return hardware.fingers.empty() && hardware.contacts.empty() && hardware.spools.empty() &&
+         !hardware.contact_draw && !hand(hardware);
 }
 
 }  // namespace

@@ -172,6 +172,15 @@ TEST(HardwareFile, NamesThePlaceOfABadNumber) {
        "h.toml:1:9: hardware: finger.2.closing = 0: expected a number from 0.001 to 1000"},
       {"[finger.2]\nsheath_angle_rad = 99\n",
        "h.toml:1:9: hardware: finger.2 sheath: mu * angle = 17.82: expected at most 10"},
+      {"[spools]\nb = 0\n",
+       "h.toml:2:1: hardware: spools.b = 0: expected a number from 0.001 to 1000"},
+      {"[spools]\nb = -0.5\n",
+       "h.toml:2:5: spools.b = -0.5: expected a finite number, not negative"},
+      {"[spools]\nb = nan\n", "h.toml:2:5: spools.b = nan: expected a finite number, not negative"},
+      {"[spools]\nx9 = 0.5\n",
+       "h.toml:2:1: hardware: spools 'x9': expected a motor-side segment such as a"},
+      {"[spools]\nT1 = 0.5\n",
+       "h.toml:2:1: hardware: spools 'T1': expected a motor-side segment such as a"},
       {"[uncertainty]\ntube_mu = [0.2, 0.1]\n",
        "h.toml:2:11: uncertainty.tube_mu = [0.2, 0.1]: expected two friction coefficients, the "
        "least and the greatest, such as [0.05, 0.20], at most 10"},
@@ -189,6 +198,14 @@ TEST(HardwareFile, NamesThePlaceOfABadNumber) {
   };
   for (const Mistake& mistake : mistakes)
     EXPECT_EQ(error_in_hardware(mistake.text), mistake.message);
+}
+
+TEST(HardwareFile, HasSpoolsAndWritesThem) {
+  const HardwareFile file = hardware_file_of("[spools]\nb = 0.5\nd = 2\n");
+  EXPECT_EQ(file.hardware.spools, (std::vector<SpoolHardware>{{"b", 0.5}, {"d", 2}}));
+  const HardwareFile again =
+      hardware_file_of(hardware_toml(file.hardware, file.uncertainty, file.vary));
+  EXPECT_EQ(again.hardware.spools, file.hardware.spools);
 }
 
 TEST(HardwareFile, SaysWhatMayBeChosenAndWhere) {
@@ -239,7 +256,7 @@ TEST(HardwareFile, NamesUnknownTablesAndKeysAndTheOnesThereAre) {
   const std::vector<Mistake> mistakes = {
       {"[tub]\nmu = 1\n",
        "h.toml:1:2: unknown key 'tub': expected one of tube, bearing, block, sheath, lengths, "
-       "finger, contact, uncertainty, hand, motor, vary; did you mean tube?"},
+       "finger, contact, spools, uncertainty, hand, motor, vary; did you mean tube?"},
       {"[tube]\nmu_s = 1\n",
        "h.toml:2:1: unknown key 'tube.mu_s': expected one of mu, angle_rad, known"},
       {"tube = 0.18\n", "h.toml:1:8: tube = 0.18: expected a table"},

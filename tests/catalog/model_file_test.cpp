@@ -240,7 +240,7 @@ TEST(BadModelFile, NamesThePlaceOfABadCondition) {
   EXPECT_EQ(
       error_in_model("[tubes]\n"),
       "m.toml:1:2: unknown key 'tubes': expected one of tube, bearing, block, sheath, lengths, "
-      "finger, contact, uncertainty, hand, motor, vary, conditions, effect, law; did you mean tube?");
+      "finger, contact, spools, uncertainty, hand, motor, vary, conditions, effect, law; did you mean tube?");
 }
 
 // The range of a parameter is not that of its product with the others.

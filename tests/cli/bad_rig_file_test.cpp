@@ -27,6 +27,15 @@ TEST(BadHardware, IsNamedWithFileLineAndColumn) {
       {"show TR1 --hardware contact.toml",
        "contact.toml:1:10: hardware: contact 'a-T9': expected two segments with a contact "
        "between them in M-1-T-2-F"},
+      {"show TR4 --hardware spool.toml",
+       "spool.toml:2:1: hardware: spools 'b': expected a motor-side segment that ends at an M (a P "
+       "has no spool) in M-1-P-2-F"},
+      {"rank TR1 TR4 --hardware spool.toml", "has no spool) in one of the routings"},
+      {"explore --out out --hardware spool.toml",
+       "spool.toml:1:2: hardware: spools 'b': expected none: a spool belongs to an end of one "
+       "routing"},
+      {"export TR2 --hardware spool.toml",
+       "spool.toml:1:2: hardware: spools 'b': expected none in an export to MuJoCo"},
       {"explore --out out --hardware negative.toml", "negative.toml:2:6: tube.mu = -0.1"},
       {"rank TR1 --hardware nan.toml", "nan.toml:2:6: tube.mu = nan"},
       {"rank TR1 --hardware contact.toml", "contact.toml:1:10: hardware: contact 'a-T9'"},

@@ -36,6 +36,15 @@ HandClosing closing_of(const std::string& word, const Hardware& hardware) {
   return close_hand(*hand(hardware), net, mechanics(net, hardware), kinematics, motion);
 }
 
+TEST(HandClosing, EndsOfUnequalSpoolsCloseFingersOfUnequalExcursionsTogether) {
+  Hardware hardware = hand_with({12, 6});
+  EXPECT_DOUBLE_EQ(closing_of("1x-M+2x-M", hardware).stroke_mm, 6);
+  hardware.spools = {{"b", 0.5}};
+  const HandClosing closing = closing_of("1x-M+2x-M", hardware);
+  EXPECT_DOUBLE_EQ(closing.stroke_mm, 12);
+  EXPECT_EQ(closing.closure, 1);
+}
+
 struct ClosedForm {
   const char* word;
   std::vector<double> excursions_mm;

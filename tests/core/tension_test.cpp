@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/notation.hpp"
@@ -254,6 +256,57 @@ TEST(Tension, ATendonWithTwoMotorSidesTakesUpTwice) {
 
 // ---- the solver as an object ----
 
+// ---- unequal spools ----
+
+Hardware with_spools(std::vector<SpoolHardware> spools) {
+  Hardware hardware;
+  hardware.spools = std::move(spools);
+  return hardware;
+}
+
+TEST(UnequalSpools, ShareTheMotorsForceByVirtualWork) {
+  const double r = exp(-0.18 * 2 * pi);
+  const Solved solved("1x-M+2x-M", with_spools({{"b", 0.5}}), Grasp{});
+  EXPECT_DOUBLE_EQ(solved["a"], 0.8);  // a + b/2 = 1, and b takes up half of what a does
+  EXPECT_DOUBLE_EQ(solved["b"], 0.4);
+  EXPECT_DOUBLE_EQ(solved["T1"], 0.8 * r);
+  EXPECT_DOUBLE_EQ(solved["T3"], 0.4 * r);
+  EXPECT_EQ(solved.state().closing, (std::vector<double>{1, 0.5}));
+  EXPECT_DOUBLE_EQ(solved.state().motor_tension[0], 1);
+  EXPECT_EQ(solved.state().motor_work, 1);
+  const Network network = expand(parse_routing("1x-M+2x-M"));
+  EXPECT_DOUBLE_EQ(performance(network, solved.state()).efficiency, r);
+}
+
+TEST(UnequalSpools, OfBothEndsOfATendonCloseItsFingerByTheirMean) {
+  const double s = exp(-0.18 * 2 * pi);
+  const Solved solved("M-1b-M", with_spools({{"b", 0.5}}), Grasp{});
+  const double b = exp(-0.001 * pi);
+  EXPECT_EQ(solved.state().closing, std::vector<double>{0.75});
+  EXPECT_EQ(solved.state().slip, (std::vector<double>{-1, -0.25, 0.5}));
+  EXPECT_DOUBLE_EQ(solved["T2"], solved["T1"] * b);
+  EXPECT_DOUBLE_EQ(solved["b"], solved["T2"] / s);
+  EXPECT_DOUBLE_EQ(solved["a"] + 0.5 * solved["b"], 1);
+}
+
+// The motor pulls a jammed tendon through its spool.
+TEST(UnequalSpools, TurnTheMotorsForceIntoMoreOfAJammedTendon) {
+  const Solved solved("1x-M+2x-M", with_spools({{"b", 0.5}}), hold({2}));
+  EXPECT_TRUE(solved.state().jams);
+  EXPECT_EQ(solved["b"], 2);
+  EXPECT_EQ(solved["a"], 0);
+}
+
+TEST(UnequalSpools, TieNoPulleyOfTheCarriage) {
+  const Network network = expand(parse_routing("M-1-P-2-M"));
+  const MechanicsBuilder builder(with_spools({{"a", 2}, {"b", 2}, {"d", 2}, {"e", 2}}));
+  EXPECT_EQ(builder.unmatched_spools(network), (std::vector<std::string>{"b", "e"}));
+  Mechanics mechanics;
+  builder.apply(network, mechanics);
+  EXPECT_EQ(std::accumulate(mechanics.spools.begin(), mechanics.spools.end(), 0.0),
+            static_cast<double>(network.segments.size()) + 2);
+}
+
 // ---- several motors ----
 
 Grasp carriages(std::array<double, 2> travel, Grasp grasp = {}) {
@@ -351,7 +404,7 @@ TEST(TensionSolver, ForgetsTheNetworkBefore) {
 
 const std::string no_motor_tension =
     "held none: the motor tension cannot be computed: a tendon hangs on no motor, blocks are free to "
-    "move against each other, a finger would have to open, carriages move unlike each "
+    "move against each other, a finger would have to open, ends at motors travel unlike each "
     "other beside a seized contact, or friction is so strong that tensions "
     "fall out of range";
 

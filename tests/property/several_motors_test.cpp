@@ -1,5 +1,5 @@
-// Routings of several motors, whose carriages move as the grasp says, against the independent
-// solver.
+// Routings of several motors, whose carriages move as the grasp says, and of ends on spools of
+// their own, against the independent solver.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,6 +50,7 @@ ReferenceHardware laws_at_random(Dice& dice) {
                              {},
                              {},
                              {},
+                             {},
                              {}};
   for (int finger = 1; finger <= 9; ++finger) {
     hardware.closing_weight[finger] = dice.chance(0.5) ? 1 : dice.log_real(0.2, 5);
@@ -65,6 +66,7 @@ Mechanics mechanics_under(const Network& network, const ReferenceHardware& laws)
   hardware.strand_mm = laws.strand_length;
   hardware.motor_side_mm = laws.motor_side_length;
   hardware.hand_mm = laws.hand_length;
+  for (const auto& [segment, ratio] : laws.spool) hardware.spools.push_back({segment, ratio});
   Mechanics result = mechanics(network, hardware);
   for (int finger = 1; finger <= network.fingers; ++finger) {
     result.closing[static_cast<std::size_t>(finger) - 1] = laws.closing_weight.at(finger);
@@ -96,6 +98,15 @@ MotorTrial random_motor_trial(Dice& dice, const Routing& one_motor) {
     trial.laws.carriage_travel[motor] = trial.grasp.travel(motor);
   }
   return trial;
+}
+
+std::map<std::string, double> random_spools(Dice& dice, const Network& network) {
+  std::map<std::string, double> spools;
+  for (const Segment& segment : network.segments) {
+    if (!find_motor_end(network, segment) || dice.chance(0.5)) continue;
+    spools[segment_name(segment)] = dice.chance(0.5) ? 0.5 : dice.log_real(0.2, 5);
+  }
+  return spools;
 }
 
 struct SeenMotors {
@@ -194,13 +205,38 @@ TEST(SeveralMotorsProperty, TreesAndTacklesAreThoseOfAnIndependentSolver) {
   expect_all_seen(seen, trials);
 }
 
-// Σ T_i dl_i + Σ friction force × slip = Σ_c T_Mc D_c.
+TEST(SeveralMotorsProperty, UnequalSpoolsAreThoseOfAnIndependentSolver) {
+  constexpr int trials = 2000;
+  SeenMotors seen;
+  int with_spools = 0;
+  for (std::uint64_t seed = 1; seed <= trials; ++seed) {
+    Dice dice(seed);
+    const Routing one = dice.chance(0.5) ? testing::random_routing(dice, {1, 4, true, true})
+                                         : parse_routing(testing::random_mechanism(dice));
+    MotorTrial trial = random_motor_trial(dice, one);
+    if (dice.chance(0.5)) {
+      trial.word = to_word(one);
+      trial.grasp.carriages = {1, {1, 1, 1, 1, 1, 1}};
+      trial.laws.carriage_travel.clear();
+    }
+    trial.laws.spool = random_spools(dice, expand(parse_routing(trial.word)));
+    with_spools += trial.laws.spool.empty() ? 0 : 1;
+    SCOPED_TRACE(std::to_string(seed) + ": " + to_text(trial));
+    compare(trial, seen);
+    if (::testing::Test::HasFailure()) return;
+  }
+  expect_all_seen(seen, trials);
+  EXPECT_GT(with_spools, trials / 3);
+}
+
+// Σ T_i dl_i + Σ friction force × slip = Σ_c T_Mc D_c, T_Mc = Σ r_i T_i.
 TEST(SeveralMotorsProperty, EfficiencyIsOneWithoutFrictionAndLessWithIt) {
   int without = 0;
   int with = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     Dice dice(seed);
     MotorTrial trial = random_motor_trial(dice, testing::random_routing(dice, {1, 4, true, true}));
+    trial.laws.spool = random_spools(dice, expand(parse_routing(trial.word)));
     trial.direction = Direction::pull;
     if (seed % 2 == 0) trial.laws.tube.mu = trial.laws.bearing.mu = trial.laws.sheath.mu = 0;
     const Network network = expand(parse_routing(trial.word));

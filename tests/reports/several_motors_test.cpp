@@ -12,9 +12,9 @@
 namespace reeve {
 namespace {
 
-ShownRouting shown(const std::string& word, const std::string& grasps) {
+ShownRouting shown(const std::string& word, const std::string& grasps, const Model& model = {}) {
   const Routing routing = parse_routing(word);
-  return shown_routing(routing, {},
+  return shown_routing(routing, model,
                        parse_grasps(grasps, finger_count(routing), carriage_count(routing)),
                        Direction::pull, {});
 }
@@ -33,6 +33,25 @@ TEST(ShowJson, SaysNothingOfMotorsIfThereIsOne) {
   const Json json = to_json(shown("1x-M+2x-M", "none"));
   EXPECT_FALSE(json["grasps"][0].contains("motors"));
   EXPECT_FALSE(json["motor_sides"][0].contains("motor"));
+}
+
+Model with_spool(const std::string& segment, double ratio) {
+  Model model;
+  model.hardware.spools = {{segment, ratio}};
+  return model;
+}
+
+TEST(ShowJson, HasTheSpoolOfAnEndAndTheMotorsForceThroughIt) {
+  const Json json = to_json(shown("1x-M+2x-M2", "none", with_spool("b", 0.5)));
+  EXPECT_EQ(json["motor_sides"][1]["spool"], 0.5);
+  EXPECT_FALSE(json["motor_sides"][0].contains("spool"));
+  EXPECT_NEAR(json["grasps"][0]["motors"][0], 0.8, 1e-15);
+  EXPECT_NEAR(json["grasps"][0]["motors"][1], 0.2, 1e-15);
+  EXPECT_NEAR(json["travel"], 2 / 1.5, 1e-9);
+  EXPECT_EQ(to_json(with_spool("b", 0.5).hardware)["spools"].dump(), R"({"b":0.5})");
+  const ShownRouting one_motor = shown("1x-M+2x-M", "none", with_spool("b", 0.5));
+  EXPECT_EQ(show_document(one_motor).sections[0].lines[1].text,
+            "Motor-side segments, in walk order: a at T1, b at T3 (spool 0.5)");
 }
 
 TEST(SharedCarriage, NamesTheCarriagesOfSeveralMotors) {

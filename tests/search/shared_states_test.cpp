@@ -79,6 +79,15 @@ TEST(SharedStates, AreNotOfGraspsThatGiveTheTravelsOfCarriages) {
   }
 }
 
+TEST(SharedStates, NeedEqualSpools) {
+  Model model;
+  model.hardware.spools = {{"b", 0.5}};
+  EXPECT_FALSE(routings_share_states(model));
+  const DesignOutcome outcome =
+      DesignEvaluator(model, single_grasps(2)).outcome(parse_routing("1x-M+2x-M"), {});
+  EXPECT_DOUBLE_EQ(outcome.travel, 2 / 1.5);
+}
+
 TEST(SharedStates, NeedFingersThatAreAlike) {
   Model model;
   EXPECT_TRUE(routings_share_states(model));

@@ -72,7 +72,7 @@ ReferenceResult solve_one_by_one(const std::vector<Tendon>& tendons, const std::
     for (std::size_t i = 0; i < segments.size(); ++i) {
       const Real value = absolute(static_cast<Index>(i));
       tension[segments[i].name] = value;
-      if (segments[i].place == Place::motor_side) motor += value;
+      if (segments[i].place == Place::motor_side) motor += spool(segments[i], hardware) * value;
     }
     append_contacts(tendons[t], problems[t], !result.jams, result.contacts);
     append_closing(tendons[t], problems[t], !result.jams, result.closing);

@@ -16,7 +16,8 @@
 //     jammed release   e0 = 0; E = L (the same strain) on all the others
 //
 // Carriages of several motors travel v_c D: in each line the +1 of a motor-side segment is v_c, and
-// E = max(0, -e0) but where a tendon jams. A tendon whose carriages stand still carries nothing.
+// E = max(0, -e0) but where a tendon jams. A tendon whose carriages stand still carries nothing. An
+// end on a spool of its own has r v_c in place of v_c, and pulls its motor with r T.
 //
 // dl is shared among the closing fingers of a tendon by weight so that its e0 sums to zero; a
 // tendon without closing finger jams, and then the jammed tendons carry the whole motor tension.
@@ -65,6 +66,8 @@ struct ReferenceHardware {
   std::optional<ReferenceLaw> block = std::nullopt;
   /// v_c, travel of carriage c over D; carriages that are not listed have 1.
   std::map<int, double> carriage_travel = {};
+  /// r of the ends at motors that have spools of their own, by segment; they travel r v_c D.
+  std::map<std::string, double> spool = {};
 };
 
 enum class ReferenceDirection { pull, release };
@@ -81,7 +84,8 @@ struct ReferenceContact {
 
 struct ReferenceResult {
   bool jams;
-  /// By segment name (T1, ...; a, b, ...; h1, ...); the motor-side segments sum to 1.
+  /// By segment name (T1, ...; a, b, ...; h1, ...); the motor-side segments sum to 1, each
+  /// times its spool's r.
   std::map<std::string, double> tension;
   std::vector<ReferenceContact> contacts;
   /// Finger -> dl >= 0 at D = 1 (its opening, in release); 0 if held or if the grasp jams.

@@ -54,10 +54,16 @@ Vector lengths(const Tendon& tendon, const ReferenceHardware& hardware) {
   return length;
 }
 
+double spool(const Segment& segment, const ReferenceHardware& hardware) {
+  const auto found = hardware.spool.find(segment.name);
+  return found == hardware.spool.end() ? 1.0 : found->second;
+}
+
 Real travel(const Segment& segment, const ReferenceHardware& hardware) {
   if (segment.place != Place::motor_side) return 0;
   const auto found = hardware.carriage_travel.find(segment.carriage);
-  return found == hardware.carriage_travel.end() ? Real(1) : static_cast<Real>(found->second);
+  const Real r = spool(segment, hardware);
+  return found == hardware.carriage_travel.end() ? r : r * static_cast<Real>(found->second);
 }
 
 double weight(int finger, const ReferenceHardware& hardware) {

@@ -27,7 +27,9 @@ struct Problem {
 Vector lengths(const Tendon& tendon, const ReferenceHardware& hardware);
 Vector exponents(const Tendon& tendon, const ReferenceHardware& hardware);
 
-// v_c; 0 of a segment that is no motor side.
+double spool(const Segment& segment, const ReferenceHardware& hardware);
+
+// r v_c; 0 of a segment that is no motor side.
 Real travel(const Segment& segment, const ReferenceHardware& hardware);
 
 double weight(int finger, const ReferenceHardware& hardware);

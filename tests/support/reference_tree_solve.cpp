@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "tests/support/reference_problem.hpp"
 #include "tests/support/reference_tree.hpp"
 #include "tests/support/reference_tree_limit.hpp"
 
@@ -58,8 +59,12 @@ ReferenceResult solve_trees(const std::vector<Tendon>& tendons, const std::set<i
   for (const Tree& tree : trees) {
     const bool carries = tree.jams == result.jams && !tree.elastic.isZero(0);
     absolute.push_back(carries ? tree_tensions(tree) : Vector::Zero(tree.length.size()));
-    for (Index i = 0; i < tree.length.size(); ++i)
-      if (tree.motor_side[static_cast<std::size_t>(i)]) motor += absolute.back()(i);
+    for (const Span& span : tree.spans)
+      for (Index i = 0; i < span.segments; ++i) {
+        const Segment& segment = tendons[span.tendon].segments[static_cast<std::size_t>(i)];
+        if (segment.place != Place::motor_side) continue;
+        motor += spool(segment, hardware) * absolute.back()(span.segment + i);
+      }
   }
   PerTendon contacts(tendons.size());
   for (std::size_t t = 0; t < trees.size(); ++t) {
