@@ -23,7 +23,8 @@
 // `let` defines. `computed`, `equals` and `explained_by` may besides name the coefficients (mu_t,
 // theta_t, mu_b, theta_b, mu_block, theta_block, mu_s, theta_s), and what the solver finds at T_M =
 // 1: segments (T1, a, h1, T_M), dl1 … that fingers close per travel of the carriage, efficiency and
-// uniformity. Values only; mechanism_file.hpp reads them, catalog/number_check.hpp recomputes them.
+// uniformity; and of finger 1 in free motion its joint angles q1 …, deg, at the `excursion_mm` of
+// `let`. Values only; mechanism_file.hpp reads them, catalog/number_check.hpp recomputes them.
 #pragma once
 
 #include <cstdint>

@@ -40,9 +40,9 @@ double read_value(const TomlNode& node, const NamedValues& names) {
   }
 }
 
-// The same tables with numbers in place of expressions.
+// The same tables with numbers in place of expressions. The guide of a joint is a word.
 TomlNode with_numbers(TomlNode node, const NamedValues& names) {
-  if (node.kind == TomlKind::string) {
+  if (node.kind == TomlKind::string && node.key != "guide") {
     node.number = read_value(node, names);
     node.kind = TomlKind::floating;
   }

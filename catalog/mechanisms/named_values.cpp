@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
+
 #include "core/error.hpp"
+#include "core/finger_closing.hpp"
+#include "core/hand.hpp"
 #include "core/performance.hpp"
 
 namespace reeve::catalog {
@@ -11,6 +15,17 @@ namespace {
 void add_law(NamedValues& values, const std::string& part, const ContactLaw& law) {
   values["mu_" + part] = law.mu;
   values["theta_" + part] = law.whole_angle_rad();
+}
+
+// q1, q2, …: joint angles of finger 1 in free motion, deg, at the excursion that the rig names.
+void add_angles(NamedValues& values, const MechanismRig& rig) {
+  const auto excursion = rig.let.find("excursion_mm");
+  const auto known = hand(rig.hardware);
+  if (excursion == rig.let.end() || !known || known->finger(1).joints.empty()) return;
+  const FingerPosture posture = closing_posture(known->finger(1).joints, excursion->second);
+  for (std::size_t j = 0; j < posture.flexion_rad.size(); ++j) {
+    values[fmt::format("q{}", j + 1)] = posture.flexion_rad[j] * 180 / std::numbers::pi;
+  }
 }
 
 }  // namespace
@@ -32,6 +47,7 @@ NamedValues named_values(const MechanismRig& rig, const Network& network, const 
   const Performance figures = performance(network, state, direction);
   values["efficiency"] = figures.efficiency;
   values["uniformity"] = figures.uniformity;
+  add_angles(values, rig);
   for (const auto& [name, value] : rig.let) {
     if (values.contains(name)) {
       throw InputError({.what = "let",
