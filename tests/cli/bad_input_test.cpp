@@ -246,7 +246,7 @@ TEST(BadRank, IsNamedWithTheRoutings) {
       {"rank --catalog --family toys",
        "--family 'toys': expected one of paper, benches, gloves, hands, hauls, tackles"},
       {"rank --catalog --family hands --fingers 7",
-       "--fingers '7': expected as many as a mechanism of the family hands has: 2, 3, 4, 5"},
+       "--fingers '7': expected as many as a mechanism of the family hands has: 1, 2, 3, 4, 5"},
       {"rank TR1 --family hands", "--family requires --catalog"},
       {"check --family ''", "--family '': expected one of paper, benches"},
       {"rank TR1 TR1", "routing 'M-1-T-2-F' is given twice"},

@@ -48,7 +48,7 @@ inline const HeldOut gained{1, 0.1, 0.9, 0.8, 0.95, 49, 40, 60, 48};
 inline void name_tube_friction(DiagnosisReport& report) {
   NamedCause cause;
   cause.name = "tube_friction";
-  cause.meaning = "the friction coefficient of the tubes differs from the hardware's";
+  cause.meaning = "the friction of the tubes differs";
   cause.effect = {find_cause("tube_friction"), {}, {0.09}};
   cause.parameters = {{"mu", "1", 0.09, 0.08, 0.1, 0.18, Range{0.05, 0.2}}};
   cause.held_out = gained;
