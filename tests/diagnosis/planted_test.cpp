@@ -80,7 +80,6 @@ TEST(PlantedUnknowns, OfAllSensorsCrossTalkIsApproached) {
   const DiagnosisResult result = diagnosed_plant(plant({EffectKind::crosstalk}, 52).csv);
   ASSERT_TRUE(result.held_out.has_value());
   EXPECT_LT(result.held_out->rms_after_N, result.held_out->rms_before_N);
-  EXPECT_GT(result.held_out->log_likelihood_gain, 0);
   const std::vector<std::string> names = named(result);
   EXPECT_TRUE(std::any_of(names.begin(), names.end(),
                           [](const std::string& name) { return name.starts_with("cross_talk"); }));
