@@ -182,6 +182,13 @@ TEST(FingerClosing, OpensTheProximalJointFirst) {
       EXPECT_LE(before, opening.tension_N[j] * std::exp(phi) * (1 + 1e-9));
     }
     EXPECT_NEAR(excursion, opening.excursion_mm, 1e-9);
+    // A joint that has moved since the last step lets its guide slide to the tip.
+    for (std::size_t j = 0; j < 2 && i > 0 && opening.pull_N > 0; ++j) {
+      if (opening.flexion_rad[j] >= moved.opening[i - 1].flexion_rad[j]) continue;
+      const double phi = guide_exponent(joints[j], opening.flexion_rad[j]);
+      const double before = j == 0 ? opening.pull_N : opening.tension_N[0];
+      EXPECT_NEAR(before / opening.tension_N[j], std::exp(-phi), 1e-9);
+    }
   }
 }
 
