@@ -6,7 +6,7 @@
 namespace reeve::core {
 namespace {
 
-// Of ln(T / N): no spring of a finger asks for less or more.
+// The search ends at these values of ln(T / N), beyond which no spring of a finger asks.
 constexpr double least_log = -80;
 constexpr double greatest_log = 60;
 // Sums of the same excursions in another order miss each other by rounding.

@@ -33,6 +33,7 @@
 namespace reeve::core {
 
 constexpr double in_rad(double degrees) { return degrees * std::numbers::pi / 180; }
+constexpr double in_deg(double radians) { return radians * 180 / std::numbers::pi; }
 
 // "pulley", "tube"; "" of none.
 const char* guide_name(JointGuide guide);
@@ -53,18 +54,14 @@ double closed_exponent(const std::vector<FingerJoint>& joints);
 double held_exponent(const std::vector<FingerJoint>& joints);
 
 // Tensions of a finger's strands at the palm: the sum of those that slide towards the palm, and of
-// those that slide towards the tip. A number alone is a pull towards the palm.
+// those that slide towards the tip.
 struct FingerPull {
-  FingerPull(double inward = 0, double outward = 0)  // NOLINT(google-explicit-constructor)
-      : inward_N(inward), outward_N(outward) {}
+  double inward_N = 0;
+  double outward_N = 0;
 
   double sum_N() const { return inward_N + outward_N; }
   // With `decay` = e^{−S_j}.
   double behind_guide_N(double decay) const { return inward_N * decay + outward_N / decay; }
-  FingerPull operator*(double factor) const { return {inward_N * factor, outward_N * factor}; }
-
-  double inward_N = 0;
-  double outward_N = 0;
 };
 
 // Pulls of fingers 1 … n at their numbers, while the carriage pulls.

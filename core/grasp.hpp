@@ -1,4 +1,5 @@
-// Which fingers an object holds while the motors move the others, and how the carriages move.
+// A grasp: the fingers that an object holds while the motors move the others, and how the carriages
+// move.
 #pragma once
 
 #include <array>

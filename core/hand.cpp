@@ -42,7 +42,7 @@ HandFinger finger_of(const FingerParts& parts, const Hardware& hardware) {
   return finger;
 }
 
-// What a joint asks of the motor; nothing where its need is met without any pull.
+// A joint asks this of the motor: nothing where its need is met without any pull.
 double asked_force(double need_N, double pull_per_motor) {
   if (need_N <= 0) return 0;
   return pull_per_motor > 0 ? need_N / pull_per_motor : std::numeric_limits<double>::infinity();
@@ -88,11 +88,11 @@ int first_unknown_finger(const Hand& hand, int fingers) {
   return 0;
 }
 
-HeldForce held_force(const HandFinger& finger, const FingerPull& pull) {
+HeldForce held_force(const HandFinger& finger, const FingerPull& per_motor, double motor_N) {
   HeldForce held{std::numeric_limits<double>::infinity(), 0};
   for (std::size_t j = 0; j < finger.joints.size(); ++j) {
     const FingerJoint& joint = finger.joints[j];
-    const double pull_N = pull.behind_guide_N(finger.demands[j].held_decay);
+    const double pull_N = per_motor.behind_guide_N(finger.demands[j].held_decay) * motor_N;
     const double force = (joint.arm_mm * pull_N - holding_torque(joint)) / joint.lever_mm;
     if (force < held.force_N) held = {force, j};
   }
@@ -108,9 +108,9 @@ double force_without_springs(const HandFinger& finger, const FingerPull& pull) {
   return force;
 }
 
-bool closes_springs(const HandFinger& finger, const FingerPull& pull) {
+bool closes_springs(const HandFinger& finger, const FingerPull& per_motor, double motor_N) {
   return std::all_of(finger.demands.begin(), finger.demands.end(), [&](const JointDemand& joint) {
-    return pull.behind_guide_N(joint.closed_decay) >= joint.close_N;
+    return per_motor.behind_guide_N(joint.closed_decay) * motor_N >= joint.close_N;
   });
 }
 

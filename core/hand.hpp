@@ -72,25 +72,26 @@ Hand without_guides(const Hand& hand);
 // The first of fingers 1 … n that is not known; 0 if all are.
 int first_unknown_finger(const Hand& hand, int fingers);
 
-// The joint that gives first under a fingertip force, from 0, and the force at which it does.
+// The joint that gives first under a fingertip force, from 0, and the force at which it does, where
+// the motor pulls with `motor_N`.
 struct HeldForce {
   double force_N = 0;
   std::size_t joint = 0;
 };
-HeldForce held_force(const HandFinger& finger, const FingerPull& pull);
+HeldForce held_force(const HandFinger& finger, const FingerPull& per_motor, double motor_N);
 
 // Fingertip force under a pull, springs aside.
 double force_without_springs(const HandFinger& finger, const FingerPull& pull);
 
-// True if the pull closes the finger to its end against its springs.
-bool closes_springs(const HandFinger& finger, const FingerPull& pull);
+// True if the motor then closes the finger to its end against its springs.
+bool closes_springs(const HandFinger& finger, const FingerPull& per_motor, double motor_N);
 
 // Pull at the palm that would do the pull's work at the joints, all turning by the same share of
 // their ranges: less than the pull by the friction of the guides.
 double working_pull(const HandFinger& finger, const FingerPull& pull);
 
 // The joint that asks for most of a pull in this proportion, for the wanted force.
-std::size_t asking_joint(const HandFinger& finger, const FingerPull& pull = 1);
+std::size_t asking_joint(const HandFinger& finger, const FingerPull& pull);
 
 // Energy in a finger's springs over that in the open hand, all joints at this share of their
 // ranges, J.

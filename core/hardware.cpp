@@ -263,6 +263,14 @@ std::string hardware_place(const Hardware& hardware, std::string key) {
   return (key.empty() ? file : places.at(key)) + ": hardware";
 }
 
+void require_no_spools(const Hardware& hardware, const char* expected) {
+  if (hardware.spools.empty()) return;
+  throw InputError({.where = hardware_place(hardware, "spools"),
+                    .what = "spools",
+                    .value = hardware.spools.front().segment,
+                    .expected = expected});
+}
+
 std::optional<InputFault> fault(const Hardware& hardware) { return FaultFinder(hardware).first(); }
 
 void validate(const Hardware& hardware) {

@@ -160,6 +160,8 @@ struct Hardware {
 // The place of an error about this key: "h.toml:3:1: hardware" if the file says something of it,
 // else "h.toml: hardware", or "hardware" of no file.
 std::string hardware_place(const Hardware& hardware, std::string key);
+// Throws InputError where an end at a motor has a spool of its own.
+void require_no_spools(const Hardware& hardware, const char* expected);
 
 // Beyond any physical contact (rope three times round pine has phi = 3), and small enough that
 // e^{-phi} along a whole tendon stays a number.

@@ -1,5 +1,5 @@
-// What all walks of a word must add up to: fingers without a gap, each once; motors without a
-// gap; blocks and bars that are whole and do not hang on themselves.
+// Ledgers hold what all walks of a word must add up to: fingers without a gap, each once; motors
+// without a gap; blocks and bars that are whole and do not hang on themselves.
 #pragma once
 
 #include <array>

@@ -17,8 +17,8 @@ struct Mechanics {
   std::vector<double> phi;      // friction exponents of the contacts
   std::vector<double> decay;    // e^{-phi}
   std::vector<double> closing;  // closing weights of fingers 1 … n
-  // Of the motor-side segments' spools: the end's travel over that of its carriage. Empty if all
-  // are 1.
+  // Spools of the segments: travel of a motor-side end over that of its carriage. Empty if all are
+  // 1.
   std::vector<double> spools{};
   bool in_range = true;  // no exponent is beyond max_exponent
 
@@ -94,7 +94,7 @@ class MechanicsBuilder {
   std::vector<ContactOverride> by_contact_;
   std::vector<Spool> spools_;
   std::vector<double> excursion_;  // of fingers 1 …, 0 without joints; empty without a hand
-  // What the guides of fingers 1 … add to the exponents of their tips, each passed by both strands;
+  // Guides of fingers 1 … add this to the exponents of their tips, each passed by both strands;
   // empty without any.
   std::vector<double> guide_exponent_;
 };

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
+#include "core/finger_guides.hpp"
 #include "core/text.hpp"
 #include "drawing/chart/chart.hpp"
 #include "reports/closing_report.hpp"
@@ -13,13 +13,11 @@
 namespace reeve::pages {
 namespace {
 
-double degrees(double radians) { return radians * 180 / std::numbers::pi; }
-
 chart::Polyline angles(const std::vector<FingerPosture>& postures, std::size_t joint,
                        const std::string& title) {
   chart::Polyline line{{}, title};
   for (const FingerPosture& posture : postures) {
-    line.through.push_back({posture.excursion_mm, degrees(posture.flexion_rad[joint])});
+    line.through.push_back({posture.excursion_mm, in_deg(posture.flexion_rad[joint])});
   }
   return line;
 }
@@ -29,7 +27,7 @@ std::string angles_text(const ShownClosing& closing) {
       fmt::format("Joint angles of {} over tendon excursion.", fingers_text(closing));
   const FingerPosture& last = closing.motion.closing.back();
   for (std::size_t j = 0; j < last.flexion_rad.size(); ++j) {
-    text += fmt::format(" Joint {} ends at {}°.", j + 1, fixed(degrees(last.flexion_rad[j]), 1));
+    text += fmt::format(" Joint {} ends at {}°.", j + 1, fixed(in_deg(last.flexion_rad[j]), 1));
   }
   return text;
 }

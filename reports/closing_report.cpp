@@ -5,15 +5,13 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numbers>
 #include <string>
 
+#include "core/finger_guides.hpp"
 #include "core/text.hpp"
 
 namespace reeve::reports {
 namespace {
-
-double in_deg(double radians) { return radians * 180 / std::numbers::pi; }
 
 bool has_objects(const ShownClosing& closing) {
   return std::any_of(closing.motion.stops.begin(), closing.motion.stops.end(),

@@ -33,7 +33,7 @@ ShownHandGrasp shown_grasp(const Hand& hand, const Network& network, const Tensi
     force.per_motor_N = force_without_springs(finger, force.pull_per_motor);
     force.asks_motor_N = motor_force(finger, grasp.holds(f), force.pull_per_motor);
     if (const auto limit = hand.motor.force_N) {
-      force.at_limit_N = held_force(finger, force.pull_per_motor * *limit).force_N;
+      force.at_limit_N = held_force(finger, force.pull_per_motor, *limit).force_N;
     }
     shown.fingers.push_back(force);
   }
@@ -43,7 +43,7 @@ ShownHandGrasp shown_grasp(const Hand& hand, const Network& network, const Tensi
 // What the grasp asks most of, and which finger and joint it is.
 void add_greatest_force(const Hand& hand, const std::vector<ShownHandGrasp>& grasps,
                         MotorDemand& demand) {
-  FingerPull pull = 1;
+  FingerPull pull;
   for (const ShownHandGrasp& shown : grasps) {
     demand.frictionless_N = std::max(demand.frictionless_N, shown.frictionless_N);
     if (demand.weakest > 0 && !(shown.motor_force_N > demand.force_N)) continue;
@@ -143,8 +143,8 @@ class HandStudy {
     if (!std::isfinite(shown.demand.force_N)) return;
     for (ShownHandGrasp& grasp : shown.grasps) {
       for (ShownFingerForce& force : grasp.fingers) {
-        const FingerPull pull = force.pull_per_motor * shown.demand.force_N;
-        const HeldForce held = held_force(hand_.finger(force.finger), pull);
+        const HeldForce held =
+            held_force(hand_.finger(force.finger), force.pull_per_motor, shown.demand.force_N);
         force.force_N = held.force_N;
         force.gives = held.joint;
       }
@@ -194,9 +194,8 @@ void add_grasp(const Hand& hand, int fingers, Grasp grasp, const FingerPullArray
   for (int f = 1; f <= fingers; ++f) {
     const HandFinger& finger = hand.finger(f);
     const FingerPull& pull_per_motor = pulls[static_cast<std::size_t>(f)];
-    const FingerPull pull = pull_per_motor * reach.motor_N;
-    const HeldForce held = held_force(finger, pull);
-    const bool closes = grasp.holds(f) || closes_springs(finger, pull);
+    const HeldForce held = held_force(finger, pull_per_motor, reach.motor_N);
+    const bool closes = grasp.holds(f) || closes_springs(finger, pull_per_motor, reach.motor_N);
     if (closes && finger.force_N == 0) continue;
     const double share = closes ? held.force_N / finger.force_N : 0;
     const double asks = motor_force(finger, grasp.holds(f), pull_per_motor);

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "core/error.hpp"
 #include "core/finger_closing.hpp"
 #include "core/hand.hpp"
@@ -24,7 +22,7 @@ void add_angles(NamedValues& values, const MechanismRig& rig) {
   if (excursion == rig.let.end() || !known || known->finger(1).joints.empty()) return;
   const FingerPosture posture = closing_posture(known->finger(1).joints, excursion->second);
   for (std::size_t j = 0; j < posture.flexion_rad.size(); ++j) {
-    values[fmt::format("q{}", j + 1)] = posture.flexion_rad[j] * 180 / std::numbers::pi;
+    values[fmt::format("q{}", j + 1)] = in_deg(posture.flexion_rad[j]);
   }
 }
 

@@ -26,16 +26,6 @@ void require_fingers(const Hardware& hardware, int fingers) {
   }
 }
 
-// Letters run in walk order, so that in another routing they are other ends.
-void require_no_spools(const Hardware& hardware) {
-  if (hardware.spools.empty()) return;
-  throw InputError(
-      {.where = hardware_place(hardware, "spools"),
-       .what = "spools",
-       .value = hardware.spools.front().segment,
-       .expected = "none: a spool belongs to an end of one routing (show, rank, size)"});
-}
-
 // Otherwise a slip of the pen is found when all is explored.
 void require_possible_contacts(const Hardware& hardware, const GeneratorOptions& generator) {
   if (hardware.contacts.empty()) return;
@@ -114,7 +104,9 @@ ExploreOptions ExploreFlags::read(const Model& with, const Catalogue& catalogue)
              [&] { return RoutingGenerator(options.generator).total(); });
   require_fingers(with.hardware, options.generator.fingers);
   require_possible_contacts(with.hardware, options.generator);
-  require_no_spools(with.hardware);
+  // Letters run in walk order, so that in another routing they are other ends.
+  require_no_spools(with.hardware,
+                    "none: a spool belongs to an end of one routing (show, rank, size)");
   require_known_fingers(with.hardware, options.generator.fingers);
   options.shard = for_name("--", [&] { return parse_shard(shard); });
   options.keeps_record = shard_given->count() > 0;

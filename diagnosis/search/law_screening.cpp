@@ -187,7 +187,7 @@ class LawFamilies {
     return price_of_covariate() + (covariate(c).is_place ? price_of_place : 0) +
            price_of_part * static_cast<double>(lever.breadth);
   }
-  // The place of a step is one of a number, and no fitted parameter.
+  // The place of a step is one of as many as the column has values, and no fitted parameter.
   double price_of_knot(std::size_t c) const {
     return std::log(static_cast<double>(covariate(c).distinct.size())) - std::log(degrees_) / 2;
   }

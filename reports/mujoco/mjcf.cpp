@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
 #include "core/mechanics.hpp"
 #include "core/motor_sides.hpp"
 #include "core/notation.hpp"
@@ -60,15 +59,6 @@ std::string absent_lines(const Hardware& hardware, const Network& network) {
     lines += "Note: " + note + ".\n";
   }
   return lines;
-}
-
-// All ends at a motor move with the body of its carriage.
-void require_no_spools(const Hardware& hardware) {
-  if (hardware.spools.empty()) return;
-  throw InputError({.where = hardware_place(hardware, "spools"),
-                    .what = "spools",
-                    .value = hardware.spools.front().segment,
-                    .expected = "none in an export to MuJoCo"});
 }
 
 std::string explanation(const std::string& word, const MjcfRig& rig, const Hardware& hardware,
@@ -158,7 +148,8 @@ void write_motors(double pull_N, int motors, MjcfText& out) {
 }  // namespace
 
 std::string mjcf(const Routing& routing, const Hardware& hardware, const MjcfOrigin& origin) {
-  require_no_spools(hardware);
+  // All ends at a motor move with the body of its carriage.
+  require_no_spools(hardware, "none in an export to MuJoCo");
   const MechanicsBuilder mechanics(hardware);
   Network network = expand(routing);
   RopePlan plan = rope_plan(routing, network);

@@ -45,10 +45,10 @@ TEST(FingerGuides, LeaveLessToTheDistalJoint) {
   const HandFinger finger = hand(hand_of({guided_finger()}))->finger(1);
   const double first = std::exp(-0.18 * in_rad(50));
   const double second = first * std::exp(-0.18 * in_rad(40));
-  EXPECT_NEAR(force_without_springs(finger, 12), 12 * std::min(first * 10 / 60, second * 8 / 30),
+  EXPECT_NEAR(force_without_springs(finger, {12}), 12 * std::min(first * 10 / 60, second * 8 / 30),
               1e-12);
-  EXPECT_NEAR(held_force(finger, 12).force_N, force_without_springs(finger, 12), 1e-12);
-  EXPECT_NEAR(motor_force(finger, true, 1), 5 * std::max(60 / (10 * first), 30 / (8 * second)),
+  EXPECT_NEAR(held_force(finger, {1}, 12).force_N, force_without_springs(finger, {12}), 1e-12);
+  EXPECT_NEAR(motor_force(finger, true, {1}), 5 * std::max(60 / (10 * first), 30 / (8 * second)),
               1e-10);
 }
 

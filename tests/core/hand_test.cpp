@@ -74,11 +74,11 @@ TEST(Hand, DoesNotKnowFingersThatLackJointsOrAForce) {
 TEST(HandFinger, WithOneJointFollowsTheLeverLaw) {
   const HandFinger finger = finger_of({{{8, 90, 60, 20, -30, 45.0}}, 5.0});
   const double spring = 20 * 75 * degree;
-  EXPECT_DOUBLE_EQ(held_force(finger, 70).force_N, (8 * 70 - spring) / 60);
-  EXPECT_DOUBLE_EQ(motor_force(finger, true, 1), (60 * 5 + spring) / 8);
+  EXPECT_DOUBLE_EQ(held_force(finger, {1}, 70).force_N, (8 * 70 - spring) / 60);
+  EXPECT_DOUBLE_EQ(motor_force(finger, true, {1}), (60 * 5 + spring) / 8);
   EXPECT_DOUBLE_EQ(finger.demands[0].close_N, 20 * 120 * degree / 8);
   EXPECT_DOUBLE_EQ(finger.excursion_mm, 8 * std::numbers::pi / 2);
-  EXPECT_DOUBLE_EQ(force_without_springs(finger, 1), 8.0 / 60);
+  EXPECT_DOUBLE_EQ(force_without_springs(finger, {1}), 8.0 / 60);
 }
 
 // Bisection over the fingertip force, with no formula for it.
@@ -92,7 +92,7 @@ TEST(HandFinger, HoldsTheGreatestForceThatNoJointGivesWayTo) {
       const double force = (low + high) / 2;
       (holds(parts, pull, force) ? low : high) = force;
     }
-    const HeldForce held = held_force(finger, pull);
+    const HeldForce held = held_force(finger, {1}, pull);
     EXPECT_NEAR(held.force_N, low, 1e-9) << pull;
     if (low > 0) {
       EXPECT_NEAR(spare_torque(parts.joints[held.joint], pull, held.force_N), 0, 1e-9);
@@ -101,15 +101,15 @@ TEST(HandFinger, HoldsTheGreatestForceThatNoJointGivesWayTo) {
 }
 
 TEST(HandFinger, HoldsNothingWhileThePullDoesNotOvercomeItsSprings) {
-  EXPECT_EQ(held_force(finger_of(three_joint_finger()), 0.5).force_N, 0);
+  EXPECT_EQ(held_force(finger_of(three_joint_finger()), {1}, 0.5).force_N, 0);
 }
 
 TEST(HandFinger, NeedsForAForceThePullThatHoldsIt) {
   const FingerParts parts = three_joint_finger();
   const HandFinger finger = finger_of(parts);
-  const HeldForce held = held_force(finger, motor_force(finger, true, 1));
+  const HeldForce held = held_force(finger, {1}, motor_force(finger, true, {1}));
   EXPECT_DOUBLE_EQ(held.force_N, 5);
-  EXPECT_EQ(held.joint, asking_joint(finger));
+  EXPECT_EQ(held.joint, asking_joint(finger, {1}));
   EXPECT_EQ(held.joint, 0U);  // the knuckle has the longest lever for its arm
 }
 
@@ -148,9 +148,9 @@ TEST(GripDemand, AsksOnlyFingersThatAreNotHeldToCloseAgainstTheirSprings) {
   stiff.joints[0].held_deg = 10;
   const Hardware hardware = hand_of({stiff});
   const HandFinger finger = hand(hardware)->finger(1);
-  ASSERT_GT(finger.demands[0].close_N, motor_force(finger, true, 1));
-  EXPECT_DOUBLE_EQ(motor_force(finger, true, 0.5), motor_force(finger, true, 1) / 0.5);
-  EXPECT_DOUBLE_EQ(motor_force(finger, false, 0.5), finger.demands[0].close_N / 0.5);
+  ASSERT_GT(finger.demands[0].close_N, motor_force(finger, true, {1}));
+  EXPECT_DOUBLE_EQ(motor_force(finger, true, {0.5}), motor_force(finger, true, {1}) / 0.5);
+  EXPECT_DOUBLE_EQ(motor_force(finger, false, {0.5}), finger.demands[0].close_N / 0.5);
 }
 
 TEST(GripDemand, IsInfiniteWhereABlockedCarriageLeavesAFingerSlack) {

@@ -129,16 +129,17 @@ TEST(HandOfARandomRouting, MeetsEveryWantedForceAtTheMotorForceAndNotBelowIt) {
     const FingerArray pulls = pulls_by_finger(trial.network, state);
     for (int f = 1; f <= trial.network.fingers; ++f) {
       const double pull = demand.motor_force_N * pulls[static_cast<std::size_t>(f)];
-      EXPECT_GE(held_force(known.finger(f), pull).force_N, known.finger(f).force_N * (1 - 1e-9));
+      EXPECT_GE(held_force(known.finger(f), {1}, pull).force_N,
+                known.finger(f).force_N * (1 - 1e-9));
     }
     const HandFinger& weakest = known.finger(demand.weakest);
     const bool by_grip = trial.grasp.holds(demand.weakest) ||
-                         motor_force(weakest, true, 1) >= motor_force(weakest, false, 1);
+                         motor_force(weakest, true, {1}) >= motor_force(weakest, false, {1});
     if (!by_grip || weakest.force_N == 0) return;
     ++told;
     const double pull =
         0.999 * demand.motor_force_N * pulls[static_cast<std::size_t>(demand.weakest)];
-    EXPECT_LT(held_force(weakest, pull).force_N, weakest.force_N);
+    EXPECT_LT(held_force(weakest, {1}, pull).force_N, weakest.force_N);
   });
   EXPECT_GT(told, 500);
 }
@@ -158,7 +159,7 @@ TEST(HandOfARandomRouting, IsComparedWithOneTensionAlongATendonWithoutFriction) 
     double most = 0;
     for (int f = 1; f <= network.fingers; ++f) {
       const double pull = 2.0 / static_cast<double>(motor_sides);
-      most = std::max(most, motor_force(hand(hardware)->finger(f), trial.grasp.holds(f), pull));
+      most = std::max(most, motor_force(hand(hardware)->finger(f), trial.grasp.holds(f), {pull}));
     }
     EXPECT_NEAR(shown->grasps[0].frictionless_N, most, 1e-9 * std::max(1.0, most));
   });

@@ -177,32 +177,28 @@ void expect_all_seen(const SeenMotors& seen, int trials) {
   EXPECT_EQ(seen.unsolved, 0);
 }
 
-TEST(SeveralMotorsProperty, TensionsSlipsAndClosingsAreThoseOfAnIndependentSolver) {
-  constexpr int trials = 1500;
+template <typename NextRouting>
+void expect_solved_alike(std::uint64_t trials, const NextRouting& next_routing) {
   SeenMotors seen;
   for (std::uint64_t seed = 1; seed <= trials; ++seed) {
     Dice dice(seed);
-    const MotorTrial trial =
-        random_motor_trial(dice, testing::random_routing(dice, {1, 4, true, true}));
+    const MotorTrial trial = random_motor_trial(dice, next_routing(dice));
     SCOPED_TRACE(std::to_string(seed) + ": " + to_text(trial));
     compare(trial, seen);
     if (::testing::Test::HasFailure()) return;
   }
-  expect_all_seen(seen, trials);
+  expect_all_seen(seen, static_cast<int>(trials));
+}
+
+TEST(SeveralMotorsProperty, TensionsSlipsAndClosingsAreThoseOfAnIndependentSolver) {
+  expect_solved_alike(1500, [](Dice& dice) {
+    return testing::random_routing(dice, {1, 4, true, true});
+  });
 }
 
 TEST(SeveralMotorsProperty, TreesAndTacklesAreThoseOfAnIndependentSolver) {
-  constexpr int trials = 3000;
-  SeenMotors seen;
-  for (std::uint64_t seed = 1; seed <= trials; ++seed) {
-    Dice dice(seed);
-    const MotorTrial trial =
-        random_motor_trial(dice, parse_routing(testing::random_mechanism(dice)));
-    SCOPED_TRACE(std::to_string(seed) + ": " + to_text(trial));
-    compare(trial, seen);
-    if (::testing::Test::HasFailure()) return;
-  }
-  expect_all_seen(seen, trials);
+  expect_solved_alike(3000,
+                      [](Dice& dice) { return parse_routing(testing::random_mechanism(dice)); });
 }
 
 TEST(SeveralMotorsProperty, UnequalSpoolsAreThoseOfAnIndependentSolver) {

@@ -41,7 +41,7 @@ double fingertip_work(const Hardware& hardware, const std::vector<double>& pulls
     for (int i = 0; i < steps; ++i) {
       joint.held_deg = step * (i + 0.5);
       const HandFinger finger = hand(hand_of({{{joint}, 1.0}}))->finger(1);
-      work_Nmm += held_force(finger, pulls_N[f]).force_N * joint.lever_mm * step * degree;
+      work_Nmm += held_force(finger, {1}, pulls_N[f]).force_N * joint.lever_mm * step * degree;
     }
   }
   return work_Nmm / 1000;
