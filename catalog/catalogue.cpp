@@ -18,8 +18,7 @@ std::size_t token_count(const Routing& routing) {
   return count;
 }
 
-// Whether there is a known routing of this size at all: putting one in its canonical form takes
-// longer than that.
+// True if a known routing has this size. This is faster than the canonical form of a routing.
 bool may_be_known(const Catalogue& catalogue, const Routing& routing) {
   const std::size_t tokens = token_count(routing);
   const auto is_of_its_size = [&](const Routing& known) {
@@ -88,7 +87,8 @@ const std::string* other_routing(const Fault& fault) {
   return nullptr;
 }
 
-// What a fault of the entry can refer to: a table if it has one, else lines of the same figure.
+// True if a fault of `entry` can refer to `other`: by its table if there is one, else by lines of
+// the same figure.
 bool has_counterpart(const CatalogueEntry& entry, const CatalogueEntry& other) {
   if (entry.table) {
     return other.table && other.table->tension.size() == entry.table->tension.size();

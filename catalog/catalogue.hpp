@@ -42,7 +42,7 @@ struct CatalogueEntry {
   std::string source;
   std::string notes;
   std::vector<Routing> like;
-  Grasp grasp;  // of the published numbers
+  Grasp grasp;  // grasp of the published numbers
   std::optional<PublishedTable> table;
   std::vector<PublishedLines> lines;
   std::optional<ClosedForm> closed_form;
@@ -52,18 +52,18 @@ struct CatalogueEntry {
 };
 
 struct Catalogue {
-  std::vector<CatalogueEntry> entries;  // by name, TR2 before TR10
-  std::vector<Mechanism> mechanisms;    // by family, then likewise
+  std::vector<CatalogueEntry> entries;  // sorted by name, TR2 before TR10
+  std::vector<Mechanism> mechanisms;    // sorted by family, then by name
 
   const CatalogueEntry* find_name(std::string_view name) const;
   // `routing` is canonical for identical fingers.
   const CatalogueEntry* find_word(const Routing& routing) const;
   const Mechanism* find_mechanism(std::string_view name) const;
-  // Of an entry or a mechanism.
+  // Finds the routing of an entry or a mechanism.
   const Routing* find_routing(std::string_view name) const;
   // The routing of that name for each number of fingers that its file has, the fewest first.
   std::vector<Routing> sizes_of(std::string_view name) const;
-  // Of the mechanisms, by name.
+  // Returns the families of the mechanisms, by name.
   std::vector<std::string> families() const;
 };
 

@@ -1,5 +1,5 @@
-// Where a catalogue's files are: in a folder, or in the program, which carries the one that it was
-// built with. Paths are relative to the catalogue: "tr1.toml", "measured/exo_glove_ii.csv".
+// Files of a catalogue: in a folder, or in the program, which contains the catalogue of its build.
+// Paths are relative to the catalogue: "tr1.toml", "measured/exo_glove_ii.csv".
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,8 @@
 namespace reeve::catalog {
 
 struct CatalogueFile {
-  std::string name;                 // where it lies, or its path in the program's catalogue
-  std::optional<std::string> text;  // of one in the program
+  std::string name;                 // path on disk, or in the program's catalogue
+  std::optional<std::string> text;  // content of a file in the program
 };
 
 // The catalogue's files in the program, by their path in the catalogue. The build generates it.
@@ -25,7 +25,7 @@ class CatalogueFiles {
  public:
   static CatalogueFiles built_in();
   static CatalogueFiles in(const std::filesystem::path& folder);
-  // In the folder that REEVE_CATALOG names, or else the built-in one.
+  // Returns the folder that REEVE_CATALOG names, or else the built-in catalogue.
   static CatalogueFiles shipped();
 
   // The *.toml that lie directly in this folder of the catalogue, "" for itself, by name. Throws

@@ -6,11 +6,11 @@
 
 namespace reeve::catalog {
 
-// Throws InputError with file, line and column. What concerns other files (names that are taken,
-// faults that refer to other routings) is not looked at.
+// Throws InputError with file, line and column. Conflicts with other files are not checked: names
+// that are taken, faults that refer to other routings.
 CatalogueEntry read_entry(const TomlNode& file);
 
-// What a name in the catalogue may be; throws InputError for anything else.
+// Reads a name that the catalogue allows; throws InputError for anything else.
 std::string read_name(const TomlNode& node);
 // A routing that hangs on the motor, however it is spelt.
 Routing read_actuated_word(const TomlNode& node);

@@ -10,7 +10,7 @@
 namespace reeve::catalog {
 namespace {
 
-// Of another entry: the one that stands in the same kind of place, and in a figure in the same one.
+// Returns another entry's list of the same kind; for a figure, of the same figure.
 std::optional<PrintedList> counterpart(const CatalogueEntry& entry, const PrintedList& list) {
   for (PrintedList& other : printed_lists(entry)) {
     if (other.kind != list.kind || other.drawn != list.drawn) continue;
@@ -99,7 +99,7 @@ struct ScaleRange {
   bool empty() const { return low > high; }
 };
 
-// What times `base`, itself known to ± half_unit, can give the printed number.
+// Returns the range of factors f with f · base = printed, given that base is known to ± half_unit.
 ScaleRange scales(const PrintedNumber& printed, double base, double half_unit) {
   const double most = base - half_unit;
   return {(printed.value - printed.half_unit) / (base + half_unit),

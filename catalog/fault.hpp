@@ -1,5 +1,6 @@
-// Whether a known fault of a publication really gives a printed number. A listed fault is a claim:
-// it explains a number only if the arithmetic holds, to within the rounding of the printed digits.
+// Checks if a known fault of a publication really gives a printed number. A listed fault is a
+// claim: it explains a number only if the arithmetic holds, to within the rounding of the printed
+// digits.
 #pragma once
 
 #include <cstddef>
@@ -19,15 +20,15 @@ enum class PrintedKind : std::uint8_t { tension, share };
 struct PrintedList {
   std::string source;
   PrintedKind kind = PrintedKind::tension;
-  bool drawn = false;  // in a figure
+  bool drawn = false;  // true if read from a figure
   std::vector<PrintedNumber> numbers;
-  Hardware hardware;  // with which they are computed
+  Hardware hardware;  // hardware for the computed numbers
 };
 
 // Tensions and shares of the table, then the lines.
 std::vector<PrintedList> printed_lists(const CatalogueEntry& entry);
 
-bool concerns(const FactorFault& fault, int strand);  // from 1
+bool concerns(const FactorFault& fault, int strand);  // strand counts from 1
 
 // Tensions of the strands with the factor faults that are listed of an entry.
 std::vector<double> with_factor_faults(const CatalogueEntry& entry, const Hardware& hardware,
@@ -37,9 +38,9 @@ std::vector<double> with_factor_faults(const CatalogueEntry& entry, const Hardwa
 struct DifferingNumber {
   const Catalogue& catalogue;
   const CatalogueEntry& entry;
-  const Solution& solution;  // with the list's hardware
+  const Solution& solution;  // solution with the list's hardware
   const PrintedList& list;
-  std::size_t strand = 0;  // from 0
+  std::size_t strand = 0;  // index, from 0
 
   const PrintedNumber& printed() const { return list.numbers[strand]; }
   double computed() const;

@@ -9,10 +9,10 @@
 
 namespace reeve::catalog {
 
-// Of [finger.N], which has other keys besides, or of [hand].
+// Reads [finger.N], which has other keys besides, or [hand].
 FingerParts read_finger_parts(const TomlNode& table);
 
-// [hand] and [motor]. What is said of a hand must be said of one with joints: looked at last.
+// Reads [hand] and [motor]. Their keys require a hand with joints; this is checked last.
 void read_hand(const TomlNode& file, Hardware& hardware);
 void read_motor(const TomlNode& file, Hardware& hardware);
 void require_joints(const TomlNode& file, const Hardware& hardware);

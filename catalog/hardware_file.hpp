@@ -12,7 +12,7 @@
 
 namespace reeve::catalog {
 
-// Of [vary]: what may be chosen. Whether there is such a dimension, who chooses knows.
+// Bounds from the table [vary]. The module sizing checks that the dimension exists.
 struct GivenBounds {
   std::string name;  // "sheath_angle[1]"
   double low = 0;
@@ -36,7 +36,7 @@ struct HardwareFile {
 
 // All throw InputError with file, line, column, key, value and what was expected.
 HardwareFile read_hardware_file(const std::filesystem::path& path);
-// Of its text; `name` stands for the file in messages.
+// Parses the text of a file; `name` stands for the file in messages.
 HardwareFile parse_hardware_file(const std::string& text, const std::string& name);
 Hardware read_hardware(const std::filesystem::path& path);
 

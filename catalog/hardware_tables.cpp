@@ -74,7 +74,7 @@ void read_law(const TomlNode& file, std::string_view key, ContactLaw Hardware::*
   validate_at(*node, hardware);
 }
 
-// What is not given of a block's sheave is as with the other bearings, which are read before.
+// Missing block parameters default to those of [bearing], so [bearing] is read first.
 void read_block(const TomlNode& file, Hardware& hardware) {
   const TomlNode* node = file.find("block");
   if (node == nullptr) return;
@@ -125,11 +125,6 @@ void read_finger(const TomlNode& node, Hardware& hardware) {
   validate_at(node, hardware);
 }
 
-bool same_contact(const ContactHardware& a, const ContactHardware& b) {
-  return (a.segment == b.segment && a.other_segment == b.other_segment) ||
-         (a.segment == b.other_segment && a.other_segment == b.segment);
-}
-
 void read_contact(const TomlNode& node, Hardware& hardware) {
   node.table().allow_only({"mu", "angle_rad"});
   const std::size_t dash = node.key.find('-');
@@ -143,15 +138,15 @@ void read_contact(const TomlNode& node, Hardware& hardware) {
   contact.other_segment = node.key.substr(dash + 1);
   read_if_given(node, "mu", contact.mu);
   read_if_given(node, "angle_rad", contact.angle_rad);
+  Hardware alone;
+  alone.contacts = {contact};
+  validate_at(node, alone);
   for (const ContactHardware& other : hardware.contacts) {
-    if (same_contact(contact, other)) {
+    if (mean_the_same(parse_contact(contact), parse_contact(other))) {
       node.fail_at_key({.what = "contact", .value = node.key, .expected = "each contact once"});
     }
   }
   hardware.contacts.push_back(contact);
-  Hardware alone;
-  alone.contacts = {contact};
-  validate_at(node, alone);
 }
 
 void read_spools(const TomlNode& file, Hardware& hardware) {
@@ -162,6 +157,35 @@ void read_spools(const TomlNode& file, Hardware& hardware) {
     alone.spools = {{end.key, end.number_from_zero()}};
     validate_at(end, alone);
     hardware.spools.push_back(alone.spools.front());
+  }
+}
+
+int tendon_number(const TomlNode& node) {
+  constexpr int most = 2 * max_fingers;
+  for (int tendon = 1; tendon <= most; ++tendon) {
+    if (node.key == std::to_string(tendon)) return tendon;
+  }
+  node.fail_at_key({.what = "unknown key",
+                    .value = node.name,
+                    .expected = fmt::format("EA_N, travel_mm or tendon.1 to tendon.{}", most)});
+}
+
+void read_tendons(const TomlNode& file, Hardware& hardware) {
+  const TomlNode* node = file.find("tendon");
+  if (node == nullptr) return;
+  TendonParts& parts = hardware.tendon;
+  read_if_given(node->table(), "EA_N", parts.EA_N);
+  read_if_given(*node, "travel_mm", parts.travel_mm);
+  validate_at(*node, hardware);
+  for (const TomlNode& own : node->children) {
+    if (own.key == "EA_N" || own.key == "travel_mm") continue;
+    TendonHardware tendon;
+    tendon.tendon = tendon_number(own);
+    own.table().allow_only({"stiffness_N_mm", "slack_mm"});
+    read_if_given(own, "stiffness_N_mm", tendon.stiffness_N_mm);
+    read_if_given(own, "slack_mm", tendon.slack_mm);
+    parts.own.push_back(tendon);
+    validate_at(own, hardware);
   }
 }
 
@@ -273,8 +297,8 @@ void validate_at(const TomlNode& table, const Hardware& hardware) {
 }
 
 std::vector<std::string_view> hardware_table_names() {
-  return {"tube",    "bearing", "block",       "sheath", "lengths", "finger",
-          "contact", "spools",  "uncertainty", "hand",   "motor",   "vary"};
+  return {"tube",   "bearing", "block",       "sheath", "lengths", "finger", "contact",
+          "spools", "tendon",  "uncertainty", "hand",   "motor",   "vary"};
 }
 
 HardwareFile read_hardware_tables(const TomlNode& file) {
@@ -295,6 +319,7 @@ HardwareFile read_hardware_tables(const TomlNode& file) {
     }
   }
   read_spools(file, result.hardware);
+  read_tendons(file, result.hardware);
   read_motor(file, result.hardware);
   require_joints(file, result.hardware);
   result.uncertainty = read_uncertainty(file);

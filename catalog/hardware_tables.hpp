@@ -19,7 +19,7 @@ HardwareFile read_hardware_tables(const TomlNode& file);
 // Returns the places of all keys, for errors that are found later.
 std::shared_ptr<const HardwareOrigin> origin_of(const TomlNode& file);
 
-// What read_hardware_tables reads back bit by bit.
+// Returns TOML that read_hardware_tables reads back bit by bit.
 std::string hardware_toml(const Hardware& hardware, const UncertaintyRanges& uncertainty,
                           const VaryTable& vary = {});
 

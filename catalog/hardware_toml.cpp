@@ -40,6 +40,16 @@ std::string table(const ContactHardware& contact) {
          line("mu", contact.mu) + line("angle_rad", contact.angle_rad) + "\n";
 }
 
+std::string table(const TendonParts& parts) {
+  if (parts == TendonParts{}) return "";
+  std::string text = "[tendon]\n" + line("EA_N", parts.EA_N) + line("travel_mm", parts.travel_mm);
+  for (const TendonHardware& own : parts.own) {
+    text += fmt::format("\n[tendon.{}]\n", own.tendon) +
+            line("stiffness_N_mm", own.stiffness_N_mm) + line("slack_mm", own.slack_mm);
+  }
+  return text + "\n";
+}
+
 std::string table(const VaryTable& vary) {
   if (vary.bounds.empty() && vary.same.empty()) return "";
   std::string text = "\n[vary]\n";
@@ -71,6 +81,7 @@ std::string hardware_toml(const Hardware& hardware, const UncertaintyRanges& unc
     for (const SpoolHardware& spool : hardware.spools) text += line(spool.segment, spool.ratio);
     text += "\n";
   }
+  text += table(hardware.tendon);
   return text + "[uncertainty]\n" + line("tube_mu", uncertainty.tube_mu) +
          line("sheath_mu", uncertainty.sheath_mu) +
          line("bearing_mu_relative", uncertainty.bearing_mu_relative) +

@@ -14,10 +14,10 @@
 #include "causes/library.hpp"
 #include "causes/model.hpp"
 #include "causes/term.hpp"
+#include "core/contact_name.hpp"
 #include "core/error.hpp"
 #include "core/nearest_name.hpp"
 #include "core/notation.hpp"
-#include "core/tension/seizure.hpp"
 
 namespace reeve::catalog {
 namespace {
@@ -43,7 +43,7 @@ std::vector<std::string_view> subject_keys(SubjectKind kind) {
   return {};
 }
 
-// What `parse` makes of the text at this key; its error gets the place in the file.
+// Returns parse(text at this key); an error gets the place in the file.
 template <typename Parse>
 auto parsed(const TomlNode& table, std::string_view key, std::string_view expected, Parse parse) {
   const TomlNode& node = table.require(key, expected);
@@ -80,7 +80,9 @@ Grasp read_grasp(const TomlNode& table, std::string_view key, int fingers) {
 std::string read_contact(const TomlNode& table, const Network& network) {
   const TomlNode& node =
       table.require("contact", "a contact of the routing in quotes, such as \"T1-T2\"");
-  if (find_contact(network, node.text())) return node.text();
+  if (const auto contact = find_contact(network, node.text())) {
+    return contact_name(network, *contact);
+  }
   std::string names;
   for (std::size_t k = 0; k < network.contacts.size(); ++k) {
     names += (k > 0 ? ", " : "") + contact_name(network, k);
@@ -240,6 +242,16 @@ std::string conditions_toml(const Model& model) {
 }
 
 }  // namespace
+
+std::vector<Effect> read_terms_file(const std::filesystem::path& path, const Catalogue& catalogue) {
+  const TomlNode file = read_toml(path);
+  file.allow_only({"law"});
+  Model laws;
+  for (const TomlNode& law : file.require("law", "one [[law]] at least").tables()) {
+    add_new(law, read_law(law, catalogue), laws);
+  }
+  return laws.effects;
+}
 
 ModelFile read_model_file(const std::filesystem::path& path, const Catalogue& catalogue) {
   const TomlNode file = read_toml(path);

@@ -40,6 +40,10 @@ struct ModelFile {
 // Throws InputError with file, line, column, key, value and what was expected.
 ModelFile read_model_file(const std::filesystem::path& path, const Catalogue& catalogue = {});
 
+// The [[law]] tables of a file that has nothing else, at least one: laws to look for in readings.
+// Throws InputError as above.
+std::vector<Effect> read_terms_file(const std::filesystem::path& path, const Catalogue& catalogue);
+
 // Reads back as the same model, bit by bit. The comment lines stand at the top.
 std::string model_toml(const Model& model, const std::vector<std::string>& comment_lines,
                        const UncertaintyRanges& uncertainty = {});

@@ -24,7 +24,7 @@ bool is_published(double value, const PublishedNumber& number, const NamedValues
   return std::abs(value - form) <= equation_tolerance * std::abs(form);
 }
 
-// How far apart, in words and as a part of what is computed.
+// Returns the difference in words and relative to the computed value.
 std::string difference(const CheckItem& item) {
   const std::string printed =
       item.printed.empty() ? fmt::format("{:.6g}", item.published) : item.printed;

@@ -30,7 +30,7 @@ enum class CheckStatus : std::uint8_t {
   used,       // a coefficient was inferred from it
   explained,  // it differs, and arithmetic shows why
   refuted,    // it differs, and takes another coefficient or part than its source says
-  open,       // it differs, which is known, and nobody knows why
+  open,       // it differs for an unknown reason, as the catalogue says
   differs,
 };
 
@@ -43,21 +43,21 @@ const char* status_name(CheckStatus status);
 enum class CheckedKind : std::uint8_t {
   strand_tension,
   strand_share,               // %
-  motor_tension,              // that a table's tensions ask for
-  motor_tension_of_equation,  // that an equation as printed asks for
+  motor_tension,              // motor tension that a table's tensions require
+  motor_tension_of_equation,  // motor tension that an equation as printed requires
   idle_fault,                 // numbers explained by a fault that is listed
-  tension_sum,                // of the strands as read, N
+  tension_sum,                // sum over the strands as read, N
   indicator,                  // one of the five (core/indicators.hpp)
   indicator_mean,
-  share_error,               // of model lines as printed against readings, %
-  share_error_of_equations,  // of the shares that the model gives
+  share_error,               // error of model lines as printed against readings, %
+  share_error_of_equations,  // error of the shares that the model gives, %
   friction_coefficient,
   design_count,
-  in_words,  // of a mechanism, as its source calls it
+  in_words,  // number of a mechanism, as its source calls it
 };
 
-// What a number is: its kind, and of which strand (from 1), listed fault (from 1), indicator (from
-// 1, in their order) or number of fingers.
+// Identity of a number: its kind, and its strand, listed fault or indicator (each from 1, in their
+// order) or number of fingers.
 struct CheckedQuantity {
   CheckedKind kind = CheckedKind::strand_tension;
   int number = 0;
@@ -90,9 +90,9 @@ struct CheckReport {
   std::vector<CheckItem> items;
   std::vector<CheckedMisprint> misprints;
 
-  // Of one family, or of all of them: "".
+  // Counts the items of one family, or of all families: "".
   std::size_t count(CheckStatus status, std::string_view family = "") const;
-  // In the order of the items.
+  // Returns the families in the order of the items.
   std::vector<std::string> families() const;
 };
 

@@ -1,5 +1,5 @@
-// What a publication derives from readings and from its model, as printed: one TOML file each in
-// publications/ beside the catalogue's routings, with the readings in measured/.
+// Numbers that a publication derives from readings and from its model, as printed. One TOML file
+// each in publications/ beside the catalogue's routings, with the readings in measured/.
 //
 //   name, readings, read_to_N
 //   [indicators]    beside it readings_source, sum_N; source, ratio_from; [[indicators.row]]
@@ -55,7 +55,7 @@ struct ExchangedFault {
 
 struct IndicatorFault {
   std::variant<SlidesToHandFault, ExchangedFault> what;
-  TomlPosition at;  // in the publication's file
+  TomlPosition at;  // place in the publication's file
 };
 
 const char* fault_name(const IndicatorFault& fault);
@@ -74,7 +74,7 @@ struct PublishedError {
   double mu = 0;
   PrintedNumber percent;
   std::string lines;      // "table", or the source of lines
-  TomlPosition lines_at;  // in the publication's file
+  TomlPosition lines_at;  // place in the publication's file
 };
 
 struct PublishedCoefficient {
@@ -92,9 +92,9 @@ struct PublishedCounts {
 struct Publication {
   std::string name;
   std::string readings;         // file in measured/
-  std::string readings_source;  // where they stand: "Fig. 5"; with indicators
-  double read_to_N = 0;         // how closely they can be read
-  double sum_N = 0;             // of a routing's strands; with indicators
+  std::string readings_source;  // their place in the source: "Fig. 5"; with indicators
+  double read_to_N = 0;         // reading precision
+  double sum_N = 0;             // sum over a routing's strands; with indicators
   std::optional<IndicatorTable> indicators;
   std::vector<PublishedError> errors;
   std::optional<PublishedCoefficient> coefficient;

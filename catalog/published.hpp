@@ -1,6 +1,6 @@
-// What a publication says about a routing: its printed table, its closed form, and the faults and
-// misprints that are known of them. Values only; entry_file.hpp reads them, number_check.hpp
-// recomputes them. Tensions are at motor tension T_M = 1.
+// Published numbers of a routing: its printed table, its closed form, and their known faults and
+// misprints. Values only; entry_file.hpp reads them, number_check.hpp recomputes them. Tensions are
+// at motor tension T_M = 1.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ struct PrintedNumber {
 
 struct PublishedTable {
   std::string source;                        // "Table I"
-  std::vector<PrintedNumber> tension;        // of strands T1 … T2n
-  std::vector<PrintedNumber> share_percent;  // of the sum over the strands
+  std::vector<PrintedNumber> tension;        // tensions of strands T1 … T2n
+  std::vector<PrintedNumber> share_percent;  // shares of the sum over the strands
 };
 
 // The model's shares as a figure draws them, with one friction coefficient for tubes and sheaths
@@ -32,10 +32,10 @@ struct PublishedTable {
 struct PublishedLines {
   std::string source;  // "Fig. 9 (b)"
   double mu = 0;
-  std::vector<PrintedNumber> share_percent;  // half_unit: to which the figure can be read
+  std::vector<PrintedNumber> share_percent;  // half_unit: reading precision of the figure
 };
 
-// How often e^{-phi} of each kind of contact is a factor.
+// Number of factors e^{-phi} for each kind of contact.
 struct Losses {
   int tube = 0;
   int bearing = 0;
@@ -74,13 +74,13 @@ struct ReversedContactFault {
   std::string source;                 // "Eq. 16, last line"
   int strand = 1;                     // the sheath lies between this strand
   std::size_t motor_side = 0;         // and this motor-side segment (from 0, in walk order)
-  std::string segment;                // its name
-  bool printed_strand_higher = true;  // which of both has the larger tension, as printed
+  std::string segment;                // name of that segment
+  bool printed_strand_higher = true;  // true if the strand has the larger tension, as printed
 };
 
 struct Fault {
   std::variant<FactorFault, RepeatsFault, ProportionalFault, ReversedContactFault> what;
-  TomlPosition at;  // in the entry's file
+  TomlPosition at;  // place in the entry's file
 };
 
 const char* fault_name(const Fault& fault);

@@ -13,13 +13,13 @@ namespace reeve::catalog {
 
 // A sheath between a strand and a motor-side segment.
 struct SheathEnds {
-  std::size_t strand = 0;  // from 0
+  std::size_t strand = 0;  // index, from 0
   double ratio = 1;        // tension of the motor-side segment over that of the strand
 };
 
 struct Solution {
   std::vector<double> tension;        // strands T1 … T2n
-  std::vector<double> share_percent;  // of the sum over the strands
+  std::vector<double> share_percent;  // shares of the sum over the strands
   // One for each motor-side segment, in walk order; empty if one of them leads to no strand.
   std::vector<SheathEnds> sheaths;
 };
@@ -38,7 +38,7 @@ double decay(const Losses& losses, const Hardware& hardware = {});
 std::vector<double> evaluate(const ClosedForm& form);
 double gain(const ClosedForm& form);
 
-// Whether `computed` rounds to the printed digits. Either way, at a tie.
+// True if `computed` rounds to the printed digits. A tie may round either way.
 bool rounds_to(double computed, const PrintedNumber& printed);
 
 }  // namespace reeve::catalog

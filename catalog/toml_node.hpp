@@ -15,7 +15,7 @@ namespace reeve::catalog {
 
 enum class TomlKind : std::uint8_t { boolean, integer, floating, string, date, array, table };
 
-// In the text, both from 1.
+// Line and column in the text, both from 1.
 struct TomlPosition {
   std::uint32_t line = 1;
   std::uint32_t column = 1;
@@ -27,20 +27,20 @@ class TomlNode {
   std::shared_ptr<const std::string> file;
   std::string key;                 // the last part of the name; empty in an array
   std::string name;                // "finger.2.tip_mu", "table.tension[3]"; empty for the file
-  TomlPosition key_at;             // of the key, or of an array's item
-  TomlPosition at;                 // of the value
+  TomlPosition key_at;             // place of the key, or of an array's item
+  TomlPosition at;                 // place of the value
   double number = 0;               // integer, floating; boolean: 0 or 1
   std::string content;             // string
   std::vector<TomlNode> children;  // array, table; in the order of the file
 
   bool is_number() const { return kind == TomlKind::integer || kind == TomlKind::floating; }
 
-  // Of a table.
+  // These three require a table.
   const TomlNode* find(std::string_view key) const;
   const TomlNode& require(std::string_view key, std::string_view expected) const;
   void allow_only(const std::vector<std::string_view>& keys) const;
 
-  // Each throws InputError if the value is another one.
+  // Each throws InputError if the value has another type.
   const std::vector<TomlNode>& tables() const;  // an array of tables
   const std::vector<TomlNode>& items() const;   // an array
   const TomlNode& table() const;

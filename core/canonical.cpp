@@ -24,7 +24,7 @@ namespace {
 // (colour refinement). In a tree what still ties is alike.
 
 using Rank = int;
-// What is compared first stands first.
+// Ranks in the order of comparison.
 using Signature = std::vector<Rank>;
 
 Rank shape_code(const Token& token) {
@@ -68,6 +68,7 @@ class Refinement {
       const Token token = image_token(tendon.walk, image, i);
       all.push_back(shape_code(token));
       all.push_back(token.arms.right);
+      all.push_back(static_cast<Rank>(token.angle.millidegrees));
     }
     for (std::size_t i = 0; i < n; ++i) {
       const Token token = image_token(tendon.walk, image, i);
@@ -80,7 +81,7 @@ class Refinement {
     return all;
   }
 
-  // Where a token stands in the least image, the first of these places if several are as little.
+  // Returns the place of a token in the least image; the first place if several images are least.
   Rank first_place(std::size_t tendon, std::size_t index) const {
     const std::size_t n = tendons_[tendon].walk.size();
     std::size_t first = n;
@@ -140,7 +141,7 @@ class Refinement {
   FingerIdentity identity_;
   std::vector<Rank> tendon_rank_;
   std::array<Rank, block_keys> block_rank_{};
-  std::vector<std::vector<Image>> images_;  // of each tendon, those with the least signature
+  std::vector<std::vector<Image>> images_;  // images with the least signature, by tendon
 };
 
 bool passes_a_block(const Tendon& tendon) {

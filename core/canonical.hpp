@@ -20,7 +20,7 @@ enum class FingerIdentity {
   distinct,   // every finger, and every motor, is itself
 };
 
-// Whether no other way to walk this tendon (backwards, or from another finger of a loop) comes
+// True if no other way to walk this tendon (backwards, or from another finger of a loop) comes
 // earlier in the order of shapes and then of finger numbers.
 bool is_canonical(const Tendon& tendon);
 

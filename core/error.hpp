@@ -14,24 +14,23 @@
 
 namespace reeve::core {
 
-// How a sentence names what has the value.
+// Format of the sentence about a value; `what` is InputFault::what.
 enum class InputForm : std::uint8_t {
-  option,   // what 'value': expected …
-  unknown,  // what 'value'; expected …
-  equals,   // what = value: expected …
-  cell,     // what = 'value': expected …
+  option,   // "what 'value': expected …"
+  unknown,  // "what 'value'; expected …"
+  equals,   // "what = value: expected …"
+  cell,     // "what = 'value': expected …"
 };
 
-// What is wrong with an input, in parts. Each may be missing, and is then left out of the sentence;
-// a name or value that the user gives may also be there and empty. What is no matter of one value
-// stands as prose in `what`.
+// A fault of an input, in parts. A missing part is left out of the sentence. A name or value that
+// the user gives may also be present and empty. If no single value is at fault, `what` is prose.
 struct InputFault {
   std::optional<std::string> where = {};  // "d.csv:3", "routing 'M-1-Q', column 5"
   std::string what = {};                  // "column 'T1_N'", "--shard", "tube.mu"
-  std::optional<std::string> value = {};  // as it can be shown
+  std::optional<std::string> value = {};  // printable text
   std::string expected = {};              // "a number from 0 to 10"
   InputForm form = InputForm::option;
-  // Where one input has several: all of them, or the first.
+  // All faults of one input that has several, or the first fault alone.
   std::vector<InputFault> parts = {};
 };
 
@@ -45,8 +44,8 @@ InputFault changed(InputFault fault, std::string (*change)(std::string));
 // input.
 void require_memory(const std::error_code& error);
 
-// What the user got wrong: thrown where input is read, caught only to add a place. Its message is
-// the fault's sentence; the command line turns it into exit code 2.
+// A mistake in the user's input. It is thrown where input is read and caught only to add a place.
+// Its message is the fault's sentence; the command line turns it into exit code 2.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(InputFault fault);
@@ -68,9 +67,9 @@ class InputError : public std::runtime_error {
   std::shared_ptr<const InputFault> fault_;  // a copy of an exception must not throw
 };
 
-// What is well said but has no answer: tensions that no number can hold, exponents beyond any
-// contact. Who only tries a model asks for a status instead (TensionState::in_range,
-// try_forecast). The same exit code, since other input is all that helps.
+// A valid input without an answer: tensions that no number can hold, exponents beyond any contact.
+// Code that only tries a model asks for a status instead (TensionState::in_range, try_forecast).
+// The exit code is the same, since only other input helps.
 class OutOfRange : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

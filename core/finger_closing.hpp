@@ -44,7 +44,7 @@ namespace reeve::core {
 struct FingerPosture {
   double excursion_mm = 0;
   double pull_N = 0;                // T_0
-  std::vector<double> flexion_rad;  // of the joints
+  std::vector<double> flexion_rad;  // flexions of the joints
   std::vector<double> tension_N;    // T_j
   std::vector<double> object_Nmm;   // M_j; 0 where no object stops the joint
   std::vector<double> contact_N;    // f_j; empty unless all phalanges have a length
@@ -52,7 +52,7 @@ struct FingerPosture {
 
 // The excursion at which a joint comes to its stop.
 struct JointStop {
-  std::size_t joint = 0;  // from 0
+  std::size_t joint = 0;  // index, from 0
   double excursion_mm = 0;
   bool at_object = false;
 };

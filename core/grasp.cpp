@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/nearest_name.hpp"
+#include "core/network.hpp"
 
 namespace reeve::core {
 namespace {
@@ -42,11 +46,38 @@ std::string expected_fingers(int fingers) {
   return fmt::format("none, or finger numbers from 1 to {} such as 1,2", fingers);
 }
 
-ReadGrasp read_grasp(const std::string& text, int fingers) {
+std::optional<InputFault> lock(const std::string& item, int motor_side, const MotorEnds& ends,
+                               std::uint64_t& named, Grasp& grasp) {
+  if (ends.empty()) {
+    return InputFault{.value = item,
+                      .expected =
+                          "no locked end: they are for one routing, or several whose ends "
+                          "at motors have the same names"};
+  }
+  if (motor_side > static_cast<int>(ends.size())) {
+    const Segment last{SegmentKind::motor_side, static_cast<int>(ends.size())};
+    return InputFault{.value = item,
+                      .expected = "a motor-side segment from a to " + segment_name(last)};
+  }
+  const std::uint64_t bit = std::uint64_t{1} << (motor_side - 1);
+  if ((named & bit) != 0) return InputFault{.what = item + " is named twice"};
+  named |= bit;
+  grasp.locked |= ends[static_cast<std::size_t>(motor_side) - 1];
+  if (static_cast<std::size_t>(std::popcount(grasp.locked)) < ends.size()) return std::nullopt;
+  return InputFault{.what = "every end at a motor is locked", .expected = "one that moves"};
+}
+
+ReadGrasp read_grasp(const std::string& text, int fingers, const MotorEnds& ends) {
   Grasp grasp;
   if (text == "none") return {grasp, std::nullopt};
+  std::uint64_t named = 0;
   for (const std::string& item : split(text, ',')) {
     int finger = 0;
+    const auto segment = segment_named(item);
+    if (segment && segment->kind == SegmentKind::motor_side && segment->number <= most_lockable) {
+      if (auto fault = lock(item, segment->number, ends, named, grasp)) return {grasp, fault};
+      continue;
+    }
     if (!read(item, finger) || finger < 1 || finger > fingers) {
       return {grasp, InputFault{.value = item, .expected = expected_fingers(fingers)}};
     }
@@ -58,7 +89,7 @@ ReadGrasp read_grasp(const std::string& text, int fingers) {
   return {grasp, std::nullopt};
 }
 
-// `where` is what the user gave, for the message.
+// Error messages begin with `where`, the text that the user gave.
 CarriageTravels require_travels(const std::string& text, int motors, const std::string& where) {
   if (motors < 2) {
     throw InputError({.where = where,
@@ -90,10 +121,11 @@ CarriageTravels require_travels(const std::string& text, int motors, const std::
   return travels;
 }
 
-// `where` is what the user gave, for the message.
-Grasp require_grasp(const std::string& text, int fingers, int motors, const std::string& where) {
+// Error messages begin with `where`, the text that the user gave.
+Grasp require_grasp(const std::string& text, int fingers, int motors, const MotorEnds& ends,
+                    const std::string& where) {
   const std::size_t travels = text.find('@');
-  ReadGrasp read = read_grasp(text.substr(0, travels), fingers);
+  ReadGrasp read = read_grasp(text.substr(0, travels), fingers, ends);
   if (read.fault) throw InputError(std::move(*read.fault)).at(where);
   if (travels != std::string::npos) {
     read.grasp.carriages = require_travels(text.substr(travels + 1), motors, where);
@@ -102,10 +134,10 @@ Grasp require_grasp(const std::string& text, int fingers, int motors, const std:
 }
 
 WeightedGrasp parse_weighted(const std::string& item, const std::string& text, int fingers,
-                             int motors) {
+                             int motors, const MotorEnds& ends) {
   const std::vector<std::string> parts = split(item, ':');
   const std::string where = fmt::format("grasps '{}'", text);
-  WeightedGrasp result{require_grasp(parts[0], fingers, motors, where), 1};
+  WeightedGrasp result{require_grasp(parts[0], fingers, motors, ends, where), 1};
   if (parts.size() == 1) return result;
   if (parts.size() > 2 || !read(parts[1], result.weight) || !(result.weight >= 1e-6) ||
       !(result.weight <= 1e6)) {
@@ -114,6 +146,16 @@ WeightedGrasp parse_weighted(const std::string& item, const std::string& text, i
                       .expected = "a held list and a weight from 1e-6 to 1e6, such as 1,2:0.5"});
   }
   return result;
+}
+
+// "al": of letters alone, and neither "none" nor an end at a motor.
+bool is_misspelt_set(const std::string& text, const MotorEnds& ends) {
+  const bool is_word =
+      text.size() > 1 && text != "none" &&
+      std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalpha(c) != 0; });
+  if (!is_word) return false;
+  const auto segment = segment_named(text);
+  return !segment || segment->number > static_cast<int>(ends.size());
 }
 
 double weight_of(const Grasp& grasp, const GraspSet& grasps) {
@@ -153,20 +195,35 @@ std::vector<double> carriage_travels(const Grasp& grasp) {
   return {first, first + grasp.carriages.given};
 }
 
+std::vector<std::string> locked_ends(const Grasp& grasp) {
+  std::vector<std::string> names;
+  for (int number = 1; number <= most_lockable; ++number) {
+    if (grasp.locks(number)) names.push_back(segment_name({SegmentKind::motor_side, number}));
+  }
+  return names;
+}
+
+std::string locked_words(const Grasp& grasp) {
+  const std::vector<std::string> ends = locked_ends(grasp);
+  if (ends.empty()) return "";
+  return fmt::format(", end{} {} locked", ends.size() > 1 ? "s" : "", fmt::join(ends, ", "));
+}
+
 std::string to_text(const Grasp& grasp) {
-  std::string text =
-      grasp.held == 0 ? "none" : fmt::format("{}", fmt::join(held_fingers(grasp), ","));
+  std::string text = fmt::format("{}", fmt::join(held_fingers(grasp), ","));
+  for (const std::string& end : locked_ends(grasp)) text += (text.empty() ? "" : ",") + end;
+  if (text.empty()) text = "none";
   if (grasp.carriages.given == 0) return text;
   return text + fmt::format("@{}", fmt::join(carriage_travels(grasp), ","));
 }
 
 std::optional<Grasp> grasp_named(const std::string& text, int fingers) {
-  const ReadGrasp read = read_grasp(text, fingers);
+  const ReadGrasp read = read_grasp(text, fingers, {});
   return read.fault ? std::nullopt : std::optional(read.grasp);
 }
 
-Grasp parse_grasp(const std::string& text, int fingers, int motors) {
-  return require_grasp(text, fingers, motors, fmt::format("held '{}'", text));
+Grasp parse_grasp(const std::string& text, int fingers, int motors, const MotorEnds& ends) {
+  return require_grasp(text, fingers, motors, ends, fmt::format("held '{}'", text));
 }
 
 GraspSet single_grasps(int fingers) {
@@ -191,13 +248,19 @@ GraspSet all_grasps(int fingers) {
 
 GraspSet paper_grasps() { return {{hold({1}), 1}}; }
 
-GraspSet parse_grasps(const std::string& text, int fingers, int motors) {
+GraspSet parse_grasps(const std::string& text, int fingers, int motors, const MotorEnds& ends) {
   if (text == "single") return single_grasps(fingers);
   if (text == "all") return all_grasps(fingers);
   if (text == "paper") return paper_grasps();
+  if (is_misspelt_set(text, ends)) {
+    throw InputError({.what = "grasps",
+                      .value = text,
+                      .expected = "single, all, paper, or held fingers such as none/1/1,2" +
+                                  did_you_mean(text, {"single", "all", "paper", "none"})});
+  }
   GraspSet grasps;
   for (const std::string& item : split(text, '/')) {
-    const WeightedGrasp grasp = parse_weighted(item, text, fingers, motors);
+    const WeightedGrasp grasp = parse_weighted(item, text, fingers, motors, ends);
     if (weight_of(grasp.grasp, grasps) > 0) {
       throw InputError({.where = fmt::format("grasps '{}'", text),
                         .what = fmt::format("'{}' is given twice", to_text(grasp.grasp))});
@@ -209,9 +272,21 @@ GraspSet parse_grasps(const std::string& text, int fingers, int motors) {
 
 bool treats_fingers_alike(const GraspSet& grasps, int fingers) {
   for (const WeightedGrasp& weighted : grasps) {
+    if (weighted.grasp.locked != 0) return false;
     // Exchanges of neighbours make every renaming.
     for (int finger = 1; finger < fingers; ++finger) {
       if (weight_of(exchanged(weighted.grasp, finger), grasps) != weighted.weight) return false;
+    }
+  }
+  return true;
+}
+
+bool treats_motors_alike(const GraspSet& grasps) {
+  for (const auto& [grasp, weight] : grasps) {
+    for (std::size_t motor = 1; motor < grasp.carriages.given; ++motor) {
+      Grasp other = grasp;
+      std::swap(other.carriages.over_D[motor - 1], other.carriages.over_D[motor]);
+      if (weight_of(other, grasps) != weight) return false;
     }
   }
   return true;

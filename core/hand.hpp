@@ -1,4 +1,4 @@
-// From strand tensions to forces at the fingertips, finger by finger.
+// Computes fingertip forces from strand tensions, finger by finger.
 //
 // With r_j the tendon's arm at joint j, h_j the lever of the fingertip force about it, and
 // tau_j = k_j (q_j − q0_j) the torque of its return spring in the posture that holds:
@@ -45,13 +45,13 @@ struct JointDemand {
 
 struct HandFinger {
   std::vector<FingerJoint> joints;
-  std::vector<JointDemand> demands;  // of the joints
-  bool is_known = false;             // its joints and its force are given
-  double force_N = 0;                // wanted
+  std::vector<JointDemand> demands;  // one per joint
+  bool is_known = false;             // true if its joints and its force are given
+  double force_N = 0;                // wanted force
   double excursion_mm = 0;
 };
 
-// Of fingers 1 … max_fingers, at their numbers less 1.
+// Fingers 1 … max_fingers, at their numbers less 1.
 struct Hand {
   std::vector<HandFinger> fingers;
   MotorParts motor;
@@ -97,7 +97,7 @@ std::size_t asking_joint(const HandFinger& finger, const FingerPull& pull);
 // ranges, J.
 double spring_energy(const HandFinger& finger, double share = 1);
 
-// What a grasp asks of the motor.
+// Demand of a grasp on the motor.
 struct GripDemand {
   double force_per_motor_N = 0;  // least fingertip force of a finger, N/N, springs aside
   // Motor tension at which every finger presses with its wanted force, and those that are not held
@@ -107,7 +107,7 @@ struct GripDemand {
 };
 GripDemand grip_demand(const Hand& hand, const Network& network, const TensionState& state,
                        Grasp grasp);
-// Of one finger alone.
+// Returns the motor force that one finger alone needs.
 double motor_force(const HandFinger& finger, bool held, const FingerPull& pull_per_motor);
 
 }  // namespace reeve::core

@@ -1,6 +1,46 @@
 #include "core/hand_closing.hpp"
 
+#include "core/tension/tree_kinematics.hpp"
+
 namespace reeve::core {
+
+SlackOnTheWay::SlackOnTheWay(const Network& network, const Mechanics& mechanics)
+    : plain_(mechanics) {
+  if (mechanics.slack_mm.empty()) return;
+  now_ = mechanics;
+  for (const TendonSpan& tendon : network.tendons) {
+    double taken_in = 0;
+    double slack_mm = 0;
+    std::size_t at = 0;
+    for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
+      if (network.segments[i].kind != SegmentKind::motor_side) continue;
+      taken_in += end_travel(network, mechanics, {}, i);
+      slack_mm += mechanics.slack_mm[i];
+      if (mechanics.slack_mm[i] > 0) at = i;
+    }
+    if (slack_mm == 0) continue;
+    pulls_at_mm_[at] = slack_mm / taken_in;
+    now_->slack_mm[at] = std::numeric_limits<double>::infinity();
+  }
+}
+
+double SlackOnTheWay::next_mm() const {
+  double next = std::numeric_limits<double>::infinity();
+  for (const auto& [segment, left_mm] : pulls_at_mm_) next = std::min(next, left_mm);
+  return next;
+}
+
+void SlackOnTheWay::travel(double way_mm) {
+  for (auto pending = pulls_at_mm_.begin(); pending != pulls_at_mm_.end();) {
+    pending->second -= way_mm;
+    if (pending->second > 0) {
+      ++pending;
+      continue;
+    }
+    now_->slack_mm[pending->first] = 0;
+    pending = pulls_at_mm_.erase(pending);
+  }
+}
 
 HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics& mechanics,
                        Kinematics& kinematics, Motion& motion) {

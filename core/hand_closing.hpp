@@ -1,4 +1,4 @@
-// How far the carriage travels until the hand is closed.
+// Computes the carriage travel that closes the hand.
 //
 // A finger has closed when each of its strands has given up its excursion E. From the open hand the
 // fingers close as the kinematics says (tension/kinematics.hpp), with shares by their excursions,
@@ -9,12 +9,18 @@
 //   stroke    D: the travel until then
 //   closure   least share of its range that a finger has closed: 1 if nothing blocks the carriage
 //
+// A tendon with slack s, whose motor sides take in m D, closes nothing before D = s / m; a spring
+// in series stretches by none of the stroke.
+//
 // Without blocks each tendon has 2 Σ E over its fingers (Σ E where a tendon is tied to the tip) for
 // n_a motor-side segments; the stroke is the least of these quotients.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
 
 #include "core/hand.hpp"
 #include "core/mechanics.hpp"
@@ -29,17 +35,38 @@ struct HandClosing {
   FingerArray closed{};  // share of each finger's range, at its number
 };
 
+// SlackOnTheWay says which tendons are slack as the carriage travels.
+class SlackOnTheWay {
+ public:
+  SlackOnTheWay(const Network& network, const Mechanics& mechanics);
+
+  // Returns mechanics in which tendons that are slack now never pull, and the others have no slack.
+  const Mechanics& mechanics() const { return now_ ? *now_ : plain_; }
+  int tendons() const { return static_cast<int>(pulls_at_mm_.size()); }
+  // Further travel until the next tendon pulls; infinite if none is slack.
+  double next_mm() const;
+  void travel(double way_mm);
+
+ private:
+  const Mechanics& plain_;
+  std::optional<Mechanics> now_;
+  std::map<std::size_t, double> pulls_at_mm_;  // further travel, by the segment that has the slack
+};
+
 // Calls on_phase(grasp, travel in mm, closings per travel) for each stretch of the way in which the
 // same fingers close. Keeps the memory of `motion`.
 template <typename OnPhase>
 HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics& mechanics,
                        Kinematics& kinematics, Motion& motion, OnPhase on_phase) {
-  // Of a finger's range; what is nearer to its end than this is rounding.
+  // Share of a finger's range; a finger nearer to its end than this has reached it.
   constexpr double tolerance = 1e-9;
+  constexpr double no_end = std::numeric_limits<double>::infinity();
   HandClosing closing;
   Grasp at_end;
-  for (int phase = 0; phase < network.fingers; ++phase) {
-    kinematics.solve(network, mechanics, at_end, Direction::pull, motion);
+  SlackOnTheWay slack(network, mechanics);
+  const int phases = network.fingers + slack.tendons();
+  for (int phase = 0; phase < phases; ++phase) {
+    kinematics.solve(network, slack.mechanics(), at_end, Direction::pull, motion);
     double travel = 0;
     for (int f = 1; f <= network.fingers; ++f) {
       const double way = motion.closing[static_cast<std::size_t>(f) - 1];
@@ -48,7 +75,11 @@ HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics
           (1 - closing.closed[static_cast<std::size_t>(f)]) * hand.finger(f).excursion_mm / way;
       if (travel == 0 || left < travel) travel = left;
     }
+    const bool blocked = std::find(motion.jams.begin(), motion.jams.end(), 1) != motion.jams.end();
+    const double until_pull = slack.next_mm();
+    if (!blocked && until_pull < (travel == 0 ? no_end : travel)) travel = until_pull;
     if (travel == 0) break;
+    slack.travel(travel);
     on_phase(at_end, travel, motion.closing);
     closing.stroke_mm += travel;
     for (int f = 1; f <= network.fingers; ++f) {

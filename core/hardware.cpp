@@ -127,6 +127,9 @@ constexpr Bounds lengths{1e-3, 1e6, "mm"};
 constexpr Bounds wobbles{0, 100, "rad/m"};
 constexpr Bounds closing_weights{1e-3, 1e3, ""};
 constexpr Bounds spool_ratios{1e-3, 1e3, ""};
+constexpr Bounds axial_stiffnesses{1, 1e9, "N"};
+constexpr Bounds stiffnesses{1e-3, 1e6, "N/mm"};
+constexpr Bounds slacks{0, 1e6, "mm"};
 
 class FaultFinder {
  public:
@@ -145,6 +148,7 @@ class FaultFinder {
     look_at_fingers();
     for (const ContactHardware& contact : hardware_.contacts) look_at(contact);
     for (const SpoolHardware& spool : hardware_.spools) look_at(spool);
+    look_at(hardware_.tendon);
     return first_ ? first_ : hand_fault(hardware_);
   }
 
@@ -231,6 +235,26 @@ class FaultFinder {
               .expected = "a motor-side segment such as a"};
   }
 
+  void look_at(const TendonParts& parts) {
+    range("tendon", "EA_N", parts.EA_N, axial_stiffnesses);
+    range("tendon", "travel_mm", parts.travel_mm, lengths);
+    for (const TendonHardware& tendon : parts.own) {
+      const std::string where = fmt::format("tendon.{}", tendon.tendon);
+      range(where, "stiffness_N_mm", tendon.stiffness_N_mm, stiffnesses);
+      range(where, "slack_mm", tendon.slack_mm, slacks);
+      require_beside(where + ".stiffness_N_mm", tendon.stiffness_N_mm, parts.EA_N,
+                     "EA_N in [tendon]: the spring gives way beside the tendon's own EA/L");
+      require_beside(where + ".slack_mm", tendon.slack_mm, parts.travel_mm,
+                     "travel_mm in [tendon]: the carriage travel that slack is a part of");
+    }
+  }
+
+  void require_beside(const std::string& key, const std::optional<double>& value,
+                      const std::optional<double>& other, const char* expected) {
+    if (first_ || !value || other) return;
+    first_ = fault(hardware_place(hardware_, key), key, *value, expected);
+  }
+
   const Hardware& hardware_;
   std::optional<InputFault> first_;
 };
@@ -271,6 +295,15 @@ void require_no_spools(const Hardware& hardware, const char* expected) {
                     .expected = expected});
 }
 
+void require_no_springs(const Hardware& hardware, const char* expected) {
+  if (hardware.tendon.own.empty()) return;
+  const std::string number = std::to_string(hardware.tendon.own.front().tendon);
+  throw InputError({.where = hardware_place(hardware, "tendon." + number),
+                    .what = "tendon",
+                    .value = number,
+                    .expected = expected});
+}
+
 std::optional<InputFault> fault(const Hardware& hardware) { return FaultFinder(hardware).first(); }
 
 void validate(const Hardware& hardware) {
@@ -278,7 +311,10 @@ void validate(const Hardware& hardware) {
 }
 
 bool treats_fingers_alike(const Hardware& hardware, int fingers) {
-  if (!hardware.contacts.empty() || !hardware.spools.empty() || hardware.contact_draw) return false;
+  if (!hardware.contacts.empty() || !hardware.spools.empty() || !hardware.tendon.own.empty() ||
+      hardware.contact_draw) {
+    return false;
+  }
   for (int finger = 2; finger <= fingers; ++finger) {
     if (coefficients_of(hardware, finger) != coefficients_of(hardware, 1)) return false;
     if (finger_parts(hardware, finger) != finger_parts(hardware, 1)) return false;

@@ -21,33 +21,34 @@
 
 namespace reeve::core {
 
-// What a user says of a hand: the joints of its fingers and the motor that pulls them. Angles are
-// flexions, 0 with the hand open. hand.hpp has the laws.
+// A hand is given by the joints of its fingers and the motor that pulls them. Angles are flexions,
+// 0 with the hand open. hand.hpp has the laws.
+
 // A part that leads the tendon past a joint; finger_guides.hpp has the law.
 enum class JointGuide : std::uint8_t { none, pulley, tube };
 
 // The same arm at each strand of the finger, and in every posture.
 struct FingerJoint {
-  double arm_mm = 0;          // of the tendon about the joint
-  double range_deg = 0;       // from open to closed
-  double lever_mm = 0;        // of the fingertip force about the joint, in the posture that holds
+  double arm_mm = 0;          // moment arm of the tendon about the joint
+  double range_deg = 0;       // flexion from open to closed
+  double lever_mm = 0;        // fingertip force's lever about the joint, in the posture that holds
   double spring_Nmm_rad = 0;  // return spring: torque for each radian beyond its rest
   double rest_deg = 0;        // flexion at which the spring is slack; below 0: preloaded when open
   std::optional<double>
       held_deg{};  // flexion in the posture that holds; the whole range if not given
   JointGuide guide = JointGuide::none;  // none: the tendon passes without friction
-  std::optional<double> mu{};           // of the guide; that of [bearing] or [tube] if not given
-  double wrap_deg = 0;                  // round the guide with the hand open
+  std::optional<double> mu{};           // guide's μ; that of [bearing] or [tube] if not given
+  double wrap_deg = 0;                  // wrap angle round the guide with the hand open
   std::optional<double> object_deg{};   // flexion at which an object stops the phalanx
   std::optional<double> phalanx_mm{};   // length of the phalanx behind the joint
 
   friend bool operator==(const FingerJoint&, const FingerJoint&) = default;
 };
 
-// Of one finger, or of all that have none of their own.
+// Parts of one finger, or of all fingers that have none of their own.
 struct FingerParts {
-  std::vector<FingerJoint> joints{};  // from the palm to the tip
-  std::optional<double> force_N{};    // wanted at the fingertip
+  std::vector<FingerJoint> joints{};  // listed from the palm to the tip
+  std::optional<double> force_N{};    // wanted force at the fingertip
 
   friend bool operator==(const FingerParts&, const FingerParts&) = default;
 };
@@ -55,7 +56,7 @@ struct FingerParts {
 struct MotorParts {
   std::optional<double> spool_radius_mm{};
   double close_s = 1;  // time in which the hand is to close
-  // What the motor can do.
+  // Limits of the motor.
   std::optional<double> force_N{};
   std::optional<double> stroke_mm{};
 
@@ -94,7 +95,8 @@ struct FingerHardware {
   friend bool operator==(const FingerHardware&, const FingerHardware&) = default;
 };
 
-// For the contact between two segments, named as in `reeve show` (T1, a, h1), in either order.
+// For the contact between two segments, named as in `reeve show` (T1, a, h1); contact_name.hpp says
+// which contact a name means.
 struct ContactHardware {
   std::string segment;
   std::string other_segment;
@@ -110,6 +112,25 @@ struct SpoolHardware {
   double ratio = 1;  // radius over that of the carriage's travel: the end travels ratio × D
 
   friend bool operator==(const SpoolHardware&, const SpoolHardware&) = default;
+};
+
+// TendonHardware has the values of one tendon, by its number in the word of a routing.
+struct TendonHardware {
+  int tendon = 0;
+  // The stiffness is that of a spring in series, at the tendon's only end at a motor. A grasp that
+  // jams leaves the carriage T/k of travel there, in which nothing else moves.
+  std::optional<double> stiffness_N_mm{};
+  std::optional<double> slack_mm{};  // length that its motor takes in before it pulls
+
+  friend bool operator==(const TendonHardware&, const TendonHardware&) = default;
+};
+
+struct TendonParts {
+  std::optional<double> EA_N{};       // axial stiffness of every tendon, which springs are beside
+  std::optional<double> travel_mm{};  // carriage travel, which slack is a part of
+  std::vector<TendonHardware> own{};
+
+  friend bool operator==(const TendonParts&, const TendonParts&) = default;
 };
 
 // No two contacts are alike: liners are cut and glued by hand, and each bend is a little other. In
@@ -143,17 +164,18 @@ struct Hardware {
   ContactLaw tube{0.18, std::numbers::pi};
   ContactLaw bearing{0.001, std::numbers::pi};
   ContactLaw sheath{0.18, 2 * std::numbers::pi};
-  std::optional<ContactLaw> block{};  // of a floating block's sheave; the bearing's if not given
+  std::optional<ContactLaw> block{};  // floating block's sheave; the bearing's law if not given
   double strand_mm = 100;
   double motor_side_mm = 100;
   double hand_mm = 100;
   std::vector<FingerHardware> fingers;
   std::vector<ContactHardware> contacts;
-  std::vector<SpoolHardware> spools{};  // of ends whose spool is not as the others
-  FingerParts finger_parts{};           // of fingers that have none of their own
+  std::vector<SpoolHardware> spools{};  // spools of ends that differ from the others
+  TendonParts tendon{};
+  FingerParts finger_parts{};  // parts of fingers that have none of their own
   MotorParts motor{};
   ContactScatter scatter{};
-  std::optional<ContactDraw> contact_draw{};  // of no file; without it the nominal exponents hold
+  std::optional<ContactDraw> contact_draw{};       // not in files; without it exponents are nominal
   std::shared_ptr<const HardwareOrigin> origin{};  // none if it is of no file
 };
 
@@ -162,13 +184,15 @@ struct Hardware {
 std::string hardware_place(const Hardware& hardware, std::string key);
 // Throws InputError where an end at a motor has a spool of its own.
 void require_no_spools(const Hardware& hardware, const char* expected);
+// Throws InputError where a tendon has a spring or slack.
+void require_no_springs(const Hardware& hardware, const char* expected);
 
 // Beyond any physical contact (rope three times round pine has phi = 3), and small enough that
 // e^{-phi} along a whole tendon stays a number.
 inline constexpr double max_exponent = 10;
 
 // True if fingers 1 … n have the same parts, of their own or by default. Fingers are not alike if a
-// contact or a spool has values of its own, or if contacts are drawn with scatter.
+// contact, a spool or a tendon has values of its own, or if contacts are drawn with scatter.
 bool treats_fingers_alike(const Hardware& hardware, int fingers);
 
 // The first quantity out of its range, with its value and what was expected; nothing if the

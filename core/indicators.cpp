@@ -13,7 +13,7 @@ double ClosingAlike::given_up(const Network& network, const Mechanics& mechanics
     }
     return sum;
   }
-  // Of the ways alone: neither friction nor lengths tell.
+  // Only travels count here; friction and lengths do not change them.
   mechanics_.length.assign(network.segments.size(), 1);
   mechanics_.phi.assign(network.contacts.size(), 0);
   mechanics_.decay.assign(network.contacts.size(), 1);

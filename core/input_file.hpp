@@ -36,7 +36,7 @@ class WaitInterrupted : public std::runtime_error {
   WaitInterrupted(const std::string& file, Awaited awaited);
 };
 
-// From here on waits for a pipe end as soon as the flag is true.
+// Ends every wait for a pipe end as soon as the flag is true, from this call on.
 void end_waits_on(const std::atomic<bool>* stop);
 bool waits_are_ended();
 

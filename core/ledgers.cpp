@@ -17,7 +17,7 @@ std::string block_name(std::size_t key) {
 
 using Keys = std::array<bool, block_keys>;
 
-// Of each block: the blocks that the tendons of its tails pass, so on which it hangs.
+// Returns for each block those on which it hangs: the blocks that the tendons of its tails pass.
 std::array<Keys, block_keys> hanging(const Routing& routing) {
   std::array<Keys, block_keys> on{};
   for (const Tendon& tendon : routing.tendons) {
@@ -84,8 +84,7 @@ void BlockLedger::pass(const PlacedWalk& walk) {
     if (is_tail(placed.token.kind)) {
       entry.tail = true;
     } else if (std::exchange(entry.pulled, true) && placed.token.kind == TokenKind::bar_arms) {
-      word_.fail(placed.at, {.what = fmt::format("{} stands inside walks twice; a bar has two arms",
-                                                 quoted_text(placed.at.text))});
+      word_.fail(placed.at, {.what = quoted_text(placed.at.text) + three_ties});
     }
   }
 }

@@ -12,14 +12,48 @@
 #include "numerics/streams.hpp"
 
 namespace reeve::core {
+namespace {
+
+bool is_motor_side(const Network& network, std::size_t segment) {
+  return network.segments[segment].kind == SegmentKind::motor_side;
+}
+
+// The tendon of that number, if the network has it.
+const TendonSpan* find_tendon(const Network& network, int number) {
+  const auto i = static_cast<std::size_t>(number) - 1;
+  return i < network.tendons.size() ? &network.tendons[i] : nullptr;
+}
+
+// The segment at the tendon's only end at a motor, if it has just one.
+std::optional<std::size_t> only_motor_end(const Network& network, const TendonSpan& tendon) {
+  const std::size_t first = tendon.first_segment;
+  const std::size_t last = first + tendon.segments - 1;
+  if (tendon.closed || is_motor_side(network, first) == is_motor_side(network, last)) {
+    return std::nullopt;
+  }
+  return is_motor_side(network, first) ? first : last;
+}
+
+std::optional<std::size_t> first_motor_side(const Network& network, const TendonSpan& tendon) {
+  for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
+    if (is_motor_side(network, i)) return i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 std::string name_of(const ContactHardware& contact) {
   return contact.segment + "-" + contact.other_segment;
 }
 
+ContactName parse_contact(const ContactHardware& contact) {
+  return {parse_segment(contact.segment), parse_segment(contact.other_segment)};
+}
+
 int highest_finger(const ContactHardware& contact) {
-  return std::max(parse_segment(contact.segment).finger,
-                  parse_segment(contact.other_segment).finger);
+  const ContactName name = parse_contact(contact);
+  return std::max(name.from.finger, name.to.finger);
 }
 
 MechanicsBuilder::MechanicsBuilder(const Hardware& hardware) : hardware_(hardware) {
@@ -33,8 +67,7 @@ MechanicsBuilder::MechanicsBuilder(const Hardware& hardware) : hardware_(hardwar
     by_finger_[static_cast<std::size_t>(finger.finger)] = finger;
   }
   for (const ContactHardware& contact : hardware_.contacts) {
-    by_contact_.push_back(
-        {parse_segment(contact.segment), parse_segment(contact.other_segment), contact});
+    by_contact_.push_back({parse_contact(contact), contact});
   }
   for (const SpoolHardware& spool : hardware_.spools) {
     spools_.push_back({*segment_named(spool.segment), spool.ratio});
@@ -95,17 +128,22 @@ ContactLaw MechanicsBuilder::law(const Contact& contact) const {
 
 ContactLaw MechanicsBuilder::law_at(const Network& network, const TendonSpan& tendon,
                                     std::size_t k) const {
-  const auto [left, right] = ends_of(tendon, k);
-  const Segment& l = network.segments[left];
-  const Segment& r = network.segments[right];
-  ContactLaw law = this->law(network.contacts[tendon.first_contact + k]);
-  for (const ContactOverride& override_ : by_contact_) {
-    if (override_.is_between(l, r)) {
-      law.mu = override_.law.mu.value_or(law.mu);
-      law.angle_rad = override_.law.angle_rad.value_or(law.angle_rad);
-    }
+  const Contact& contact = network.contacts[tendon.first_contact + k];
+  ContactLaw law = this->law(contact);
+  if (const ContactHardware* own = own_values(network, tendon, k)) {
+    law.mu = own->mu.value_or(law.mu);
+    law.angle_rad = own->angle_rad.value_or(law.angle_rad);
   }
+  if (contact.angle.is_given()) law.angle_rad = contact.angle.radians();
   return law;
+}
+
+const ContactHardware* MechanicsBuilder::own_values(const Network& network,
+                                                    const TendonSpan& tendon, std::size_t k) const {
+  const ContactOverride* own =
+      find_by_contact(by_contact_, network, tendon, k,
+                      [](const ContactOverride& one) -> const ContactName& { return one.name; });
+  return own == nullptr ? nullptr : &own->law;
 }
 
 void MechanicsBuilder::apply(const Network& network, Mechanics& mechanics) const {
@@ -118,16 +156,39 @@ void MechanicsBuilder::apply(const Network& network, Mechanics& mechanics) const
   }
   mechanics.phi.clear();
   mechanics.decay.clear();
+  bool has_angles = false;
   for (const Contact& contact : network.contacts) {
+    has_angles |= contact.angle.is_given();
     mechanics.phi.push_back(phi_[static_cast<std::size_t>(contact.kind)]);
     mechanics.decay.push_back(decay_[static_cast<std::size_t>(contact.kind)]);
   }
   mechanics.closing.assign(static_cast<std::size_t>(network.fingers), 1.0);
-  if (!by_finger_.empty() || !by_contact_.empty()) apply_overrides(network, mechanics);
+  if (has_angles || !by_finger_.empty() || !by_contact_.empty())
+    apply_overrides(network, mechanics);
   if (!guide_exponent_.empty()) add_guides(network, mechanics);
   if (hardware_.contact_draw) apply_scatter(network, mechanics);
   if (!excursion_.empty()) close_by_excursions(mechanics);
   apply_spools(network, mechanics);
+  apply_tendons(network, mechanics);
+}
+
+void MechanicsBuilder::apply_tendons(const Network& network, Mechanics& mechanics) const {
+  mechanics.slack_mm.clear();
+  mechanics.springs_mm = 0;
+  for (const TendonHardware& own : hardware_.tendon.own) {
+    const TendonSpan* tendon = find_tendon(network, own.tendon);
+    if (tendon == nullptr) continue;
+    if (const auto end = only_motor_end(network, *tendon); end && own.stiffness_N_mm) {
+      const double spring_mm = *hardware_.tendon.EA_N / *own.stiffness_N_mm;
+      mechanics.length[*end] += spring_mm;
+      mechanics.springs_mm += spring_mm;
+    }
+    const auto side = first_motor_side(network, *tendon);
+    if (!side || own.slack_mm.value_or(0) == 0) continue;
+    mechanics.slack_mm.resize(network.segments.size(), 0.0);
+    mechanics.slack_mm[*side] = *own.slack_mm;
+    mechanics.travel_mm = *hardware_.tendon.travel_mm;
+  }
 }
 
 void MechanicsBuilder::apply_spools(const Network& network, Mechanics& mechanics) const {
@@ -159,10 +220,8 @@ bool MechanicsBuilder::has_own_mu(const Network& network, const TendonSpan& tend
     const bool tip = contact.place == ContactPlace::tip;
     if (finger && (tip ? finger->tip_mu : finger->sheath_mu)) return true;
   }
-  const auto ends = ends_of(tendon, k);
-  return std::any_of(by_contact_.begin(), by_contact_.end(), [&](const ContactOverride& own) {
-    return own.law.mu && own.is_between(network.segments[ends.left], network.segments[ends.right]);
-  });
+  const ContactHardware* own = own_values(network, tendon, k);
+  return own != nullptr && own->mu;
 }
 
 double MechanicsBuilder::deviation(const Network& network, const TendonSpan& tendon,
@@ -244,9 +303,7 @@ std::vector<std::string> MechanicsBuilder::unmatched_contacts(const Network& net
     bool found = false;
     for (const TendonSpan& tendon : network.tendons) {
       for (std::size_t k = 0; k < tendon.contacts; ++k) {
-        const Segment& l = network.segments[ends_of(tendon, k).left];
-        const Segment& r = network.segments[ends_of(tendon, k).right];
-        found |= wanted.is_between(l, r);
+        found |= own_values(network, tendon, k) == &wanted.law;
       }
     }
     if (!found) unmatched.push_back(name_of(wanted.law));
@@ -262,6 +319,18 @@ std::vector<std::string> MechanicsBuilder::unmatched_spools(const Network& netwo
   return unmatched;
 }
 
+std::vector<std::string> MechanicsBuilder::unmatched_tendons(const Network& network) const {
+  std::vector<std::string> unmatched;
+  for (const TendonHardware& own : hardware_.tendon.own) {
+    const TendonSpan* tendon = find_tendon(network, own.tendon);
+    const bool fits =
+        tendon != nullptr && (!own.stiffness_N_mm || only_motor_end(network, *tendon)) &&
+        (!own.slack_mm || (first_motor_side(network, *tendon) && !is_tied(network, *tendon)));
+    if (!fits) unmatched.push_back(std::to_string(own.tendon));
+  }
+  return unmatched;
+}
+
 const Mechanics& MechanicsBuilder::require_in_range(const Network& network,
                                                     const Mechanics& mechanics) const {
   if (mechanics.in_range) return mechanics;
@@ -269,23 +338,18 @@ const Mechanics& MechanicsBuilder::require_in_range(const Network& network,
     for (std::size_t k = 0; k < tendon.contacts; ++k) {
       const double phi = mechanics.phi[tendon.first_contact + k];
       if (phi <= max_exponent) continue;
-      const auto [left, right] = ends_of(tendon, k);
-      throw OutOfRange(fmt::format("{}: {}-{}: mu * angle = {}: expected at most {}",
-                                   place_between(network.segments[left], network.segments[right]),
-                                   segment_name(network.segments[left]),
-                                   segment_name(network.segments[right]), phi, max_exponent));
+      throw OutOfRange(fmt::format("{}: {}: mu * angle = {}: expected at most {}",
+                                   place_at(network, tendon, k),
+                                   to_text(name_at(network, tendon, k)), phi, max_exponent));
     }
   }
   return mechanics;
 }
 
-std::string MechanicsBuilder::place_between(const Segment& left, const Segment& right) const {
-  for (const auto& contact : by_contact_) {
-    if (contact.is_between(left, right)) {
-      return hardware_place(hardware_, "contact." + name_of(contact.law));
-    }
-  }
-  return hardware_place(hardware_, "");
+std::string MechanicsBuilder::place_at(const Network& network, const TendonSpan& tendon,
+                                       std::size_t k) const {
+  const ContactHardware* own = own_values(network, tendon, k);
+  return hardware_place(hardware_, own == nullptr ? "" : "contact." + name_of(*own));
 }
 
 Mechanics mechanics(const Network& network, const Hardware& hardware) {

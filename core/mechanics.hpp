@@ -1,4 +1,10 @@
 // A network with numbers: what the hardware makes of each segment and contact.
+//
+// A spring of stiffness k in series gives way as EA/k more of its tendon would, which its
+// motor-side segment gets: a tendon's compliance is Σ t_i L_i / EA + t_end / k, in multiples of 1 /
+// EA. Springs decide how tendons share a carriage, and what sticks; they are as small beside the
+// travel as the tendon's own stretch is (the limit of tension.hpp), so that a stroke does not hold
+// T/k.
 #pragma once
 
 #include <array>
@@ -6,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/contact_name.hpp"
 #include "core/hardware.hpp"
 #include "core/network.hpp"
 
@@ -13,13 +20,18 @@ namespace reeve::core {
 
 // Arrays parallel to the network's segments, contacts and fingers.
 struct Mechanics {
-  std::vector<double> length;   // of the segments, mm
+  std::vector<double> length;   // segment lengths, mm
+  double springs_mm = 0;        // part of all lengths that stands for springs in series
   std::vector<double> phi;      // friction exponents of the contacts
   std::vector<double> decay;    // e^{-phi}
   std::vector<double> closing;  // closing weights of fingers 1 … n
   // Spools of the segments: travel of a motor-side end over that of its carriage. Empty if all are
   // 1.
   std::vector<double> spools{};
+  // Slack of tendons in mm, at the first motor-side segment of each, and the carriage travel D that
+  // it is a part of. Empty if no tendon has any.
+  std::vector<double> slack_mm{};
+  double travel_mm = 0;
   bool in_range = true;  // no exponent is beyond max_exponent
 
   double spool(std::size_t segment) const { return spools.empty() ? 1 : spools[segment]; }
@@ -39,19 +51,28 @@ class MechanicsBuilder {
   // Keeps the memory of `mechanics`.
   void apply(const Network& network, Mechanics& mechanics) const;
 
-  // Of the tendon's k-th contact, whatever sets it.
+  // Returns the law of the tendon's k-th contact, whatever sets it.
   ContactLaw law_at(const Network& network, const TendonSpan& tendon, std::size_t k) const;
+
+  // Returns the file's values for the tendon's k-th contact alone; nullptr if there are none.
+  const ContactHardware* own_values(const Network& network, const TendonSpan& tendon,
+                                    std::size_t k) const;
 
   // Writes σ of each contact's own exponent (ContactScatter), 0 for a contact whose coefficient is
   // given. Keeps the memory of `deviations`.
   void deviations(const Network& network, std::vector<double>& deviations) const;
 
-  // Contact overrides that name no contact of this network; as the user wrote them.
+  // Contact overrides that no contact of this network takes; as the user wrote them. If both orders
+  // of a name mean the same contact, it takes the one in walk order.
   std::vector<std::string> unmatched_contacts(const Network& network) const;
 
   // Spools that are of no end at a motor (M) of this network: a pulley of the carriage (P) has
   // none.
   std::vector<std::string> unmatched_spools(const Network& network) const;
+
+  // Tendons of the hardware, by number, that this network has not, that have not one end at a motor
+  // (M) where a spring is to be, or no slack to take in: nothing on a motor, or a block on them.
+  std::vector<std::string> unmatched_tendons(const Network& network) const;
 
   // Throws OutOfRange that names the contact if an exponent is beyond max_exponent: only a contact
   // of its own can have one that the hardware's faults do not tell.
@@ -59,13 +80,8 @@ class MechanicsBuilder {
 
  private:
   struct ContactOverride {
-    Segment a;
-    Segment b;
+    ContactName name;
     ContactHardware law;
-
-    bool is_between(const Segment& l, const Segment& r) const {
-      return (a == l && b == r) || (a == r && b == l);
-    }
   };
 
   struct Spool {
@@ -79,13 +95,14 @@ class MechanicsBuilder {
   void apply_overrides(const Network& network, Mechanics& mechanics) const;
   void apply_scatter(const Network& network, Mechanics& mechanics) const;
   void apply_spools(const Network& network, Mechanics& mechanics) const;
+  void apply_tendons(const Network& network, Mechanics& mechanics) const;
   double deviation(const Network& network, const TendonSpan& tendon, std::size_t k) const;
   // True if the file gives a coefficient for this contact alone, or for its finger.
   bool has_own_mu(const Network& network, const TendonSpan& tendon, std::size_t k) const;
   void close_by_excursions(Mechanics& mechanics) const;
   void add_guides(const Network& network, Mechanics& mechanics) const;
-  // Returns the place of an error about the contact between two segments.
-  std::string place_between(const Segment& left, const Segment& right) const;
+  // Returns the place of an error about the tendon's k-th contact.
+  std::string place_at(const Network& network, const TendonSpan& tendon, std::size_t k) const;
 
   Hardware hardware_;
   std::array<double, 5> phi_{};
@@ -93,7 +110,7 @@ class MechanicsBuilder {
   std::vector<std::optional<FingerHardware>> by_finger_;
   std::vector<ContactOverride> by_contact_;
   std::vector<Spool> spools_;
-  std::vector<double> excursion_;  // of fingers 1 …, 0 without joints; empty without a hand
+  std::vector<double> excursion_;  // one per finger, 0 without joints; empty without a hand
   // Guides of fingers 1 … add this to the exponents of their tips, each passed by both strands;
   // empty without any.
   std::vector<double> guide_exponent_;
@@ -101,12 +118,14 @@ class MechanicsBuilder {
 
 // "a-T1", as the user wrote it.
 std::string name_of(const ContactHardware& contact);
+// Throws InputError on a segment that is none.
+ContactName parse_contact(const ContactHardware& contact);
 
-// Of the strands that the contact names; 0 if it names none. Throws InputError on a name that is
-// none.
+// Returns the highest finger among the strands that the contact names; 0 if it names none. Throws
+// InputError on a name that is none.
 int highest_finger(const ContactHardware& contact);
 
-// Of hardware that is valid. Throws InputError or OutOfRange otherwise.
+// Returns the mechanics of valid hardware. Throws InputError or OutOfRange otherwise.
 Mechanics mechanics(const Network& network, const Hardware& hardware);
 
 }  // namespace reeve::core

@@ -19,6 +19,28 @@ std::vector<MotorSide> motor_sides(const Network& network) {
   return result;
 }
 
+MotorEnds motor_ends(const Network& network) {
+  MotorEnds ends;
+  const auto bit = [](const Segment& side) { return std::uint64_t{1} << (side.number - 1); };
+  for (const Segment& segment : network.segments) {
+    if (segment.kind == SegmentKind::motor_side && segment.number <= most_lockable) {
+      ends.push_back(bit(segment));
+    }
+  }
+  for (const TendonSpan& tendon : network.tendons) {
+    for (std::size_t k = 0; k < tendon.contacts; ++k) {
+      if (network.contacts[tendon.first_contact + k].place != ContactPlace::carriage) continue;
+      const auto [left, right] = ends_of(tendon, k);
+      const Segment& l = network.segments[left];
+      const Segment& r = network.segments[right];
+      if (l.number > most_lockable || r.number > most_lockable) continue;
+      ends[static_cast<std::size_t>(l.number) - 1] |= bit(r);
+      ends[static_cast<std::size_t>(r.number) - 1] |= bit(l);
+    }
+  }
+  return ends;
+}
+
 int carriage_count(const Network& network) {
   int count = 0;
   for (const Segment& segment : network.segments) {

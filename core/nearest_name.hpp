@@ -16,7 +16,7 @@ namespace reeve::core {
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 // Returns the known name with the least distance, the first of two; a name that begins with the
-// word has distance 0 if the word has three letters or more. Returns nothing if more than a third
+// word has distance 0 if the word has two letters or more. Returns nothing if more than a third
 // of the word would have to change, or if more than two names are equally near: TR9 may be any of
 // seven.
 std::optional<std::string> nearest_name(std::string_view word,

@@ -104,7 +104,8 @@ class Expansion {
       case TokenKind::bar_pivot:
         break;
       case TokenKind::block_pass:
-        net_.contacts.push_back({ContactKind::block, ContactPlace::block, 0, block_index(token)});
+        net_.contacts.push_back(
+            {ContactKind::block, ContactPlace::block, 0, block_index(token), token.angle});
         break;
       case TokenKind::bar_arms:
         net_.contacts.push_back({ContactKind::bar, ContactPlace::block, 0, block_index(token)});
@@ -113,18 +114,21 @@ class Expansion {
       case TokenKind::finger:
         net_.contacts.push_back(
             {token.tip == TipKind::tube ? ContactKind::tube : ContactKind::bearing,
-             ContactPlace::tip, token.finger});
+             ContactPlace::tip, token.finger, no_block, token.angle});
         break;
       case TokenKind::tube_join:
-        net_.contacts.push_back({ContactKind::tube, ContactPlace::hand_join, 0});
+        net_.contacts.push_back(
+            {ContactKind::tube, ContactPlace::hand_join, 0, no_block, token.angle});
         break;
       case TokenKind::bearing_join:
-        net_.contacts.push_back({ContactKind::bearing, ContactPlace::hand_join, 0});
+        net_.contacts.push_back(
+            {ContactKind::bearing, ContactPlace::hand_join, 0, no_block, token.angle});
         break;
       case TokenKind::movable_pulley:
         add_sheath(finger_of(tendon.walk[i - 1]));
         add_motor_side(token);
-        net_.contacts.push_back({ContactKind::bearing, ContactPlace::carriage, 0});
+        net_.contacts.push_back(
+            {ContactKind::bearing, ContactPlace::carriage, 0, no_block, token.angle});
         add_motor_side(token);
         add_sheath(finger_of(behind(tendon, i)));
         break;

@@ -54,8 +54,9 @@ inline constexpr std::size_t no_block = static_cast<std::size_t>(-1);
 struct Contact {
   ContactKind kind = ContactKind::tube;
   ContactPlace place = ContactPlace::tip;
-  int finger = 0;                // of a tip, or of the strand that a sheath leads to; otherwise 0
+  int finger = 0;                // finger of a tip, or of the strand at a sheath; otherwise 0
   std::size_t block = no_block;  // in Network::blocks, at place `block`
+  WrapAngle angle = {};          // angle in the word
 };
 
 // A floating block or a bar.
@@ -65,7 +66,7 @@ struct Block {
   ArmRatio arms;  // bars only: tension on the left over tension on the right
 };
 
-// What the end of an open tendon is tied to.
+// Tie of an end of an open tendon.
 enum class EndTie : std::uint8_t {
   none,    // no block
   tail,    // pulls the block one way
@@ -98,7 +99,7 @@ struct Network {
   std::vector<Segment> segments;
   std::vector<Contact> contacts;
   std::vector<TendonSpan> tendons;
-  std::vector<Block> blocks;  // by number, then the bars
+  std::vector<Block> blocks;  // sorted by number, then the bars
   int fingers = 0;
   bool split = false;  // a finger's strands may lie on two tendons (seizure.hpp)
 };
@@ -107,10 +108,10 @@ struct Network {
 void expand(const Routing& routing, Network& network);
 Network expand(const Routing& routing);
 
-// Of the tendons' ends and contacts.
+// Numbers the trees from the tendons' ends and contacts.
 void number_trees(Network& network);
 
-// Whether blocks tie the tendon to others, or the tendon to itself.
+// True if blocks tie the tendon to others, or to itself.
 bool is_tied(const Network& network, const TendonSpan& tendon);
 
 // The segments on both sides of a tendon's k-th contact.
@@ -130,7 +131,7 @@ std::string block_name(const Block& block);
 std::string segment_name(const Segment& segment);
 // The reverse; nothing of what is no such name.
 std::optional<Segment> segment_named(std::string_view name);
-// Of a contact of the hardware. Throws InputError on what is no such name.
+// Returns the segment that a contact of the hardware names. Throws InputError on any other name.
 Segment parse_segment(const std::string& name);
 const char* contact_kind_name(ContactKind kind);
 

@@ -18,7 +18,7 @@ struct ContactEdge {
   std::size_t index = 0;  // in Network::contacts
   std::size_t left = 0;   // an undirected edge does not keep which end is which
   std::string block;      // the name of the block at which it is
-  bool is_tie = false;    // from a block's tail to another of its strands: no contact
+  bool is_tie = false;    // true from a block's tail to another of its strands: no contact
 };
 
 using NetworkGraph =

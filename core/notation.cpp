@@ -68,6 +68,17 @@ std::optional<ArmRatio> read_arms(std::string_view text) {
                   static_cast<std::uint16_t>(*right / common)};
 }
 
+std::string angle_text(WrapAngle angle) { return fmt::format("{}", angle.degrees()); }
+
+// Written in one way only, so that a word is printed as it was read.
+std::optional<WrapAngle> read_angle(std::string_view text) {
+  double degrees = 0;
+  std::from_chars(text.data(), text.data() + text.size(), degrees, std::chars_format::fixed);
+  if (!(degrees >= 0.001 && degrees <= 3600)) return std::nullopt;
+  const WrapAngle angle{static_cast<std::uint32_t>(std::llround(degrees * 1000))};
+  return angle_text(angle) == text ? std::optional(angle) : std::nullopt;
+}
+
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool comes_back(const PlacedWalk& walk) {
@@ -90,6 +101,7 @@ class WordParser {
   Token read_block(const PlacedText& at, TokenPlace place) const;
   Token read_bar(const PlacedText& at, TokenPlace place) const;
   Token read_token(const PlacedText& at, TokenPlace place) const;
+  Token read_angled(const PlacedText& at, TokenPlace place) const;
   PlacedWalk read_walk(std::size_t begin, std::size_t end) const;
   void require_ends(const PlacedWalk& walk) const;
   void require_inner_tokens(const PlacedWalk& walk) const;
@@ -166,6 +178,9 @@ Token WordParser::read_bar(const PlacedText& at, TokenPlace place) const {
                                      number)});
   }
   if (read.suffix.empty()) return bar(number);
+  if (std::count(read.suffix.begin(), read.suffix.end(), ':') > 1) {
+    word_.fail(at, {.what = quoted_text(at.text) + three_ties});
+  }
   const auto arms = read.suffix[0] == '/' ? read_arms(read.suffix.substr(1)) : std::nullopt;
   if (!arms) {
     word_.fail(
@@ -192,6 +207,27 @@ Token WordParser::read_token(const PlacedText& at, TokenPlace place) const {
   word_.fail(at, {.what = "unknown token", .value = shown_text(at.text), .expected = expected});
 }
 
+// A wrap angle stands behind a slash, where a bar has its ratio.
+Token WordParser::read_angled(const PlacedText& at, TokenPlace place) const {
+  const std::size_t slash = at.text.find('/');
+  if (slash == std::string_view::npos || at.text[0] == 'W') return read_token(at, place);
+  Token token = read_token({at.text.substr(0, slash), at.column}, place);
+  if (!has_angle(token.kind)) {
+    word_.fail(at, {.value = shown_text(at.text),
+                    .expected = fmt::format("{} alone: a wrap angle belongs to a finger, T, B, P "
+                                            "or a block inside a walk",
+                                            at.text.substr(0, slash))});
+  }
+  const auto angle = read_angle(at.text.substr(slash + 1));
+  if (!angle) {
+    word_.fail(at, {.value = shown_text(at.text),
+                    .expected = "behind / the wrap angle in degrees, from 0.001 to 3600 with at "
+                                "most three decimals and no needless zeros, such as B/90"});
+  }
+  token.angle = *angle;
+  return token;
+}
+
 PlacedWalk WordParser::read_walk(std::size_t begin, std::size_t end) const {
   PlacedWalk walk;
   const std::string_view all = word_.text.substr(begin, end - begin);
@@ -201,7 +237,7 @@ PlacedWalk WordParser::read_walk(std::size_t begin, std::size_t end) const {
     const std::size_t dash = std::min(word_.text.find('-', at), end);
     const TokenPlace place = at == begin || dash == end ? TokenPlace::end : TokenPlace::inside;
     const PlacedText placed{word_.text.substr(at, dash - at), at + 1};
-    walk.push_back({read_token(placed, place), placed});
+    walk.push_back({read_angled(placed, place), placed});
     if (dash == end) return walk;
     at = dash + 1;
   }
@@ -236,7 +272,7 @@ void WordParser::require_inner_tokens(const PlacedWalk& walk) const {
   }
 }
 
-// Of unequal arms, one loop pulls harder on the longer one until the bar lies in its line.
+// Rejects unequal arms: one loop pulls harder on the longer one until the bar lies in its line.
 void WordParser::require_equal_arms(const PlacedWalk& walk) const {
   for (const PlacedToken& placed : walk) {
     if (placed.token.arms == ArmRatio{}) continue;
@@ -311,10 +347,12 @@ void print_token(std::string& word, const Token& token) {
   if (is_of_finger(token.kind)) word += fmt::format_int(token.finger).c_str();
   if (token.kind == TokenKind::anchored_tip) word += 'x';
   if (token.tip == TipKind::bearing) word += 'b';
-  if (!is_of_block(token.kind)) return;
-  word += is_of_bar(token.kind) ? 'W' : 'Y';
-  word += std::to_string(token.block);
+  if (is_of_block(token.kind)) {
+    word += is_of_bar(token.kind) ? 'W' : 'Y';
+    word += std::to_string(token.block);
+  }
   if (token.kind == TokenKind::becket) word += 'k';
+  if (token.angle.is_given()) word += '/' + angle_text(token.angle);
   if (token.arms != ArmRatio{}) word += fmt::format("/{}:{}", token.arms.left, token.arms.right);
 }
 

@@ -29,7 +29,7 @@ double cost(const PartCount& count, double tendon_mm, const PartPrices& prices) 
 }
 
 double tendon_length(const Mechanics& mechanics) {
-  return std::accumulate(mechanics.length.begin(), mechanics.length.end(), 0.0);
+  return std::accumulate(mechanics.length.begin(), mechanics.length.end(), -mechanics.springs_mm);
 }
 
 }  // namespace reeve::core

@@ -1,4 +1,4 @@
-// What the parts of a routing cost: money, grams or volume, whatever the prices are in.
+// Computes the cost of a routing's parts: money, grams or volume, whatever the prices are in.
 //
 //   cost = Σ_k p_k n_k + p_mm Σ_i L_i
 //

@@ -13,8 +13,9 @@ int tips(const Network& network) {
                     [](const Contact& contact) { return contact.place == ContactPlace::tip; }));
 }
 
-// Where nothing is lost the products of tension and travel add up to 1 but for their rounding, a
-// few units in the last place. More than that would be a fault of the solver, and stays to be seen.
+// Removes an excess over 1 of a few units in the last place. If nothing is lost, the products of
+// tension and travel add up to 1 but for rounding. A larger excess is a fault of the solver and
+// stays visible.
 double without_gain(double efficiency) {
   constexpr double rounding = 1e-12;
   return efficiency > 1 && efficiency < 1 + rounding ? 1 : efficiency;

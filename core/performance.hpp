@@ -1,9 +1,8 @@
-// How well a routing pulls the fingers in one grasp.
+// Measures how well a routing pulls the fingers in one grasp.
 //
 //   uniformity          min_i T_i / max_i T_i over the strands
-//   finger uniformity   min_f P_f / max_f P_f over the fingers, P_f the sum of the finger's
-//   strands:
-//                       what to use where some fingers have one strand (1x) and some two
+//   finger uniformity   min_f P_f / max_f P_f over the fingers, P_f the sum over its strands;
+//                       to be used if some fingers have one strand (1x) and some two
 //   motor efficiency    Σ_i T_i dl_i / Σ_c T_Mc D_c: useful work over the work of all motors c,
 //                       T_M D of one
 //                       (releasing, the inverse: how much of the fingers' work the motor gets)
@@ -30,7 +29,7 @@ struct Performance {
   double finger_uniformity = 0;
 };
 
-// Of fingers 1 … n, at their numbers.
+// One value for each of fingers 1 … n, at its number.
 using FingerArray = std::array<double, max_fingers + 1>;
 
 // The sum of each finger's strand tensions.
@@ -52,7 +51,7 @@ Performance performance(const Network& network, const TensionState& state,
 // Its motor efficiency alone.
 double motor_efficiency(const Network& network, const TensionState& state, Direction direction);
 
-// What performance is made of, strand by strand.
+// Sums and extremes over the strands, from which performance is computed.
 struct StrandTally {
   double least = std::numeric_limits<double>::infinity();
   double most = 0;
@@ -84,7 +83,7 @@ struct PartCount {
   int blocks = 0;  // floating blocks at the hand
   int bars = 0;
   int anchors = 0;  // fingertips to which a tendon is tied
-  // What prices tell apart (part_prices.hpp); the first three are among the pulleys.
+  // Counts that prices tell apart (part_prices.hpp); the first three are among the pulleys.
   int tip_bearings = 0;
   int fixed_pulleys = 0;    // B
   int movable_pulleys = 0;  // P

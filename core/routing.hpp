@@ -12,6 +12,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "numerics/floors.hpp"
@@ -44,6 +45,16 @@ struct ArmRatio {
   friend auto operator<=>(const ArmRatio&, const ArmRatio&) = default;
 };
 
+// The wrap angle that a word gives a contact, in thousandths of a degree; 0 if it gives none.
+struct WrapAngle {
+  std::uint32_t millidegrees = 0;
+
+  constexpr bool is_given() const { return millidegrees != 0; }
+  constexpr double degrees() const { return millidegrees / 1000.0; }
+  constexpr double radians() const { return degrees() * std::numbers::pi / 180; }
+  friend auto operator<=>(const WrapAngle&, const WrapAngle&) = default;
+};
+
 struct Token {
   TokenKind kind = TokenKind::fixed_end;
   TipKind tip = TipKind::tube;  // fingers only
@@ -51,6 +62,7 @@ struct Token {
   std::uint8_t block = 0;       // blocks and bars only, from 1
   ArmRatio arms = {};           // bar_arms only
   std::uint8_t carriage = 1;    // motor's number, from 1; of tokens on a carriage only
+  WrapAngle angle = {};         // has_angle only
 
   friend bool operator==(const Token&, const Token&) = default;
 };
@@ -93,6 +105,8 @@ constexpr bool is_of_block(TokenKind kind) {
 constexpr bool is_tail(TokenKind kind) {
   return kind == TokenKind::block_tail || kind == TokenKind::bar_pivot;
 }
+// The word may give the wrap angle: of a P that of its pulley, whose sheaths keep the hardware's.
+constexpr bool has_angle(TokenKind kind) { return !is_end(kind) && kind != TokenKind::bar_arms; }
 // The motor pulls a tendon where it hangs on the carriage.
 constexpr bool is_on_carriage(TokenKind kind) {
   return kind == TokenKind::motor_end || kind == TokenKind::movable_pulley;

@@ -15,7 +15,7 @@ std::uint8_t byte_at(std::string_view text, std::size_t at) {
   return static_cast<std::uint8_t>(text[at]);
 }
 
-// Of the character that would begin with this byte; 0 if none does.
+// Returns the number of bytes of a character that begins with this byte; 0 if none does.
 std::size_t bytes_of_character(std::uint8_t first) {
   if (first < 0x80) return 1;
   if (first < 0xC2 || first > 0xF4) return 0;

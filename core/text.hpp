@@ -12,9 +12,9 @@
 
 namespace reeve::core {
 
-// Whether bytes are text in UTF-8 (RFC 3629): no overlong forms, no surrogates, none beyond
-// U+10FFFF. Whatever is written as it was read, into tables and pages, must be.
-// The place of the first byte at which no character begins; nothing if all is well.
+// Checks that bytes are text in UTF-8 (RFC 3629): no overlong forms, no surrogates, none beyond
+// U+10FFFF. Text that is written as it was read, into tables and pages, must be.
+// Returns the place of the first byte at which no character begins; nothing if all is well.
 std::optional<std::size_t> first_not_utf8(std::string_view text);
 
 // Between commas; an empty text is one empty item.

@@ -1,4 +1,4 @@
-// How well friction is known before anything is measured: plain values for whoever varies them.
+// States how well friction is known before anything is measured: plain values to vary.
 //
 // Source: 0.05 to 0.20 is the literature range of Teflon on steel that the Exo-Glove II supplement
 // quotes (section I). The relative half-widths are judgements: bearings differ with grease and

@@ -7,8 +7,8 @@
 namespace reeve::core {
 
 struct Version {
-  std::string number;  // of the project, such as "0.1.0"
-  std::string commit;  // of the sources it was built from, or "unknown"
+  std::string number;  // project version, such as "0.1.0"
+  std::string commit;  // commit of the sources it was built from, or "unknown"
 };
 
 Version version();

@@ -55,7 +55,8 @@ inline std::strong_ordering compare_shapes(const Token& a, const Token& b) {
   if (const auto kind = a.kind <=> b.kind; kind != 0) return kind;
   if (const auto tip = a.tip <=> b.tip; tip != 0) return tip;
   if (const auto motor = a.carriage <=> b.carriage; motor != 0) return motor;
-  return a.arms <=> b.arms;
+  if (const auto arms = a.arms <=> b.arms; arms != 0) return arms;
+  return a.angle <=> b.angle;
 }
 
 // More fingers first, open before closed, then token by token.

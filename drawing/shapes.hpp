@@ -1,4 +1,4 @@
-// What drawings are made of: places and texts, in pixels, y downward.
+// Places and texts of drawings, in pixels, y downward.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct Box {
 
 struct Corner {
   Point at;
-  double radius = 0;  // of its rounding
+  double radius = 0;  // radius of the rounding
 };
 
 enum class Align : std::uint8_t { start, middle, end };

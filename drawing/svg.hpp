@@ -12,7 +12,7 @@ namespace reeve::drawing::svg {
 // Text and attribute values; control characters, which XML cannot hold, become spaces.
 std::string escape(const std::string& text);
 
-// At most two decimals, no trailing zeros.
+// Formats with at most two decimals and no trailing zeros.
 std::string number(double value);
 
 // " name="value""; the value is escaped, or has nothing to escape.
@@ -24,7 +24,7 @@ std::string rectangle(const Box& box, double rounding, const std::string& attrib
 std::string path(const std::string& commands, const std::string& attributes = "");
 std::string group(const std::string& attributes, const std::string& content);
 std::string text(const DrawnText& text);
-// Where in its box a text is anchored, and the attribute that says so.
+// x at which a text is anchored in its box, and the attribute that says so.
 double anchor(const Box& box, Align align);
 const char* anchor(Align align);
 

@@ -95,7 +95,7 @@ class MpiProcesses final : public Processes {
   int rank_ = 0;
   int size_ = 1;
   int sharing_cores_ = 1;
-  std::list<Sending> sending_;  // which stay in place
+  std::list<Sending> sending_;  // a list, so that buffers in flight stay in place
 };
 
 }  // namespace

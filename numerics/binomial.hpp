@@ -1,4 +1,4 @@
-// What a share of successes says about the probability behind it, and how rare it is.
+// Confidence interval and tail probability of a share of successes.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct ConfidenceInterval {
 ConfidenceInterval binomial_interval(std::size_t successes, std::size_t trials,
                                      double confidence = 0.95);
 
-// That at least so many of the trials succeed, each with this probability by itself.
+// Returns the probability that at least `successes` of the independent trials succeed.
 double at_least_so_many(std::size_t successes, std::size_t trials, double probability);
 
 }  // namespace reeve::numerics

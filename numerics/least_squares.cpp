@@ -15,10 +15,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int most_steps = 50;
-constexpr double difference_share = 1e-6;  // of the width of the box
+constexpr double difference_share = 1e-6;  // share of the width of the box
 constexpr double settled = 1e-7;  // relative fall of the sum, and more than rounding brings
 constexpr double settled_to_compare = 1e-4;
-constexpr double nothing = 1e-20;  // of the first sum: an exact fit
+constexpr double nothing = 1e-20;  // share of the first sum: an exact fit
 constexpr double least_damping = 1e-6;
 constexpr double most_damping = 1e8;
 
@@ -92,13 +92,13 @@ class Descent {
     gradient_ = jacobian_.transpose() * here_;
   }
 
-  // At a bound, and the sum falls beyond it.
+  // True if the variable is at a bound and the sum falls beyond it.
   bool is_held(std::size_t i) const {
     const double slope = gradient_[static_cast<Index>(i)];
     return (at_[i] <= box_[i].low && slope > 0) || (at_[i] >= box_[i].high && slope < 0);
   }
 
-  // Whether what a full step could gain is none.
+  // True if a full step could gain nothing.
   bool is_flat() const {
     double gain = 0;
     for (std::size_t i = 0; i < at_.size(); ++i) {

@@ -25,7 +25,7 @@
 
 namespace reeve::numerics {
 
-// Nothing where there are no residuals.
+// Returns nothing if there are no residuals at the point.
 using Residuals = std::function<std::optional<Eigen::VectorXd>(const std::vector<double>&)>;
 
 struct LeastSquares {

@@ -1,5 +1,5 @@
-// What dense matrices are asked for: axes, ranks, bases and solutions. Eigen's decompositions
-// behind functions, so that each is compiled once, not in every source that asks.
+// Functions of dense matrices: axes, ranks, bases and solutions. They wrap Eigen's decompositions
+// so that each is compiled once.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,12 +17,12 @@ struct SymmetricAxes {
 };
 SymmetricAxes symmetric_axes(const Eigen::MatrixXd& symmetric);
 
-// Of a symmetric A that is not negative, by LDLᵀ: x of A x = right.
+// Solves A x = right for a symmetric positive semidefinite A, by LDLᵀ.
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& symmetric, const Eigen::VectorXd& right);
 Eigen::MatrixXd inverse_of_symmetric(const Eigen::MatrixXd& symmetric);
 
-// By QR with pivoting. Pivots not above `threshold` times the largest count as none; without it,
-// those that rounding leaves of a matrix of this size.
+// Uses QR with pivoting. Pivots up to `threshold` times the largest count as 0; the default is the
+// rounding error of a matrix of this size.
 Eigen::Index column_rank(const Eigen::MatrixXd& matrix);
 // An orthonormal basis of what the columns span.
 Eigen::MatrixXd orthonormal_columns(const Eigen::MatrixXd& columns,

@@ -11,7 +11,7 @@
 namespace reeve::numerics {
 namespace {
 
-// In parts of the box's sides.
+// Shares of the box's sides.
 constexpr double fine = 1e-9;
 constexpr double first_step = 0.02;
 constexpr double wide_step = 0.25;
@@ -79,7 +79,7 @@ class BoxProblem {
     try {
       optimiser.optimize(start, value);
     } catch (const nlopt::roundoff_limited&) {
-      // As far as the numbers go; the best point is kept.
+      // Rounding ends the search; the best point is kept.
     } catch (...) {
       if (failure_) std::rethrow_exception(failure_);
       if (!stopped()) throw;

@@ -62,7 +62,7 @@ class Blocks {
     failed_at_ = begin;
   }
 
-  // Waits for who is busy, and throws what ended the work.
+  // Waits for busy threads, and throws the exception that ended the work.
   void finish() {
     for (int busy = busy_.load(); busy > 0; busy = busy_.load()) busy_.wait(busy);
     if (failure_) std::rethrow_exception(failure_);
@@ -71,7 +71,7 @@ class Blocks {
  private:
   std::size_t size_;
   std::size_t grain_;
-  const Work& work_;  // of who waits for the end
+  const Work& work_;  // lives until finish() returns
   const std::atomic<bool>* stop_;
   std::atomic<std::size_t> next_ = 0;
   std::atomic<int> busy_ = 0;

@@ -28,7 +28,7 @@ class NoThreads : public std::bad_alloc {
   }
 };
 
-// Nobody waits for the result any more.
+// The result is no longer needed.
 class Stopped : public std::exception {
  public:
   const char* what() const noexcept override { return "stopped"; }

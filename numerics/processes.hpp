@@ -16,7 +16,7 @@
 
 namespace reeve::numerics {
 
-// What a launcher says of this process, in the environment.
+// Rank and size from the launcher's environment variables.
 struct Launch {
   int rank = 0;
   int size = 1;
@@ -39,14 +39,14 @@ class Processes {
 
   virtual int rank() const = 0;
   virtual int size() const = 0;
-  // Of those on this machine, how many, this one included, may run on the same cores.
+  // Returns the number of processes on this machine, with this one, that may run on the same cores.
   virtual int sharing_cores() const = 0;
 
   // Returns at once. Messages from one process to another arrive in their order.
   virtual void send(int to, std::string bytes) = 0;
   // The next message; nothing if none has arrived.
   virtual std::optional<ProcessMessage> poll() = 0;
-  // All call it, when all that was sent to them has been taken. Nothing is called after it.
+  // All processes call it, after taking all messages sent to them. No call follows it.
   virtual void finish() = 0;
 };
 
@@ -56,7 +56,7 @@ class NoProcesses : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// By this module, which has a function of this name and type. Throws NoProcesses.
+// Connects through this module, which has a function of this name and type. Throws NoProcesses.
 inline constexpr const char* connecting_function = "reeve_connect_processes";
 using ConnectingFunction = Processes* (*)();
 std::unique_ptr<Processes> connected_processes(const std::filesystem::path& module);

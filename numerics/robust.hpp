@@ -13,11 +13,11 @@ double median(std::vector<double> values);
 // The value below which this share of them lies; NaN of none.
 double quantile_of(std::vector<double> values, double share);
 
-// Of normal numbers about 0, their standard deviation: median |v| / 0.6745. 0 of none.
+// Standard deviation of normal numbers about 0: median |v| / 0.6745. Returns 0 for none.
 double mad_about_zero(std::vector<double> values);
 
-// Of independent normal noise upon series that bend slowly, its standard deviation, by their second
-// differences: those of noise deviate √6 times as far. 0 of none.
+// Standard deviation of independent normal noise upon series that bend slowly. It uses second
+// differences, which for noise deviate √6 times as far. Returns 0 for none.
 double deviation_about_trend(const std::vector<std::vector<double>>& series);
 
 }  // namespace reeve::numerics

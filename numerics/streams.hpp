@@ -15,20 +15,22 @@ inline constexpr std::uint32_t design_sample = 0;
 inline constexpr std::uint32_t shown_readings = 0x3a9;
 inline constexpr std::uint32_t hold_out = 0x401d;
 inline constexpr std::uint32_t resampling = 0x6a1;
-// Who diagnoses simulated readings does it likely with the seed that made them.
+// These streams lie apart because a user may diagnose simulated readings with the seed that made
+// them.
 inline constexpr std::uint32_t relative_noise = 0x51a00000;
 inline constexpr std::uint32_t absolute_noise = 0x51a00001;
 inline constexpr std::uint32_t motor_noise = 0x51a00002;
-// Of a planned experiment, two for each factor: the order, and the places within parts of a range.
+// Streams of a planned experiment, two for each factor: the order, and the places within parts of a
+// range.
 inline constexpr std::uint32_t grasps = 0x51a00010;
 inline constexpr std::uint32_t motor_tensions = 0x51a00012;
 inline constexpr std::uint32_t speeds = 0x51a00014;
 inline constexpr std::uint32_t temperatures = 0x51a00016;
 inline constexpr std::uint32_t sheath_angles = 0x51a00018;
 inline constexpr std::uint32_t columns = 0x51a00020;  // and so on
-// Where searches for dimensions start: one for each variable.
+// Starts of searches for dimensions: one stream for each variable.
 inline constexpr std::uint32_t sizing_starts = 0x51ce0000;
-// Where searches for the worst of several tolerances start: likewise.
+// Starts of searches for the worst of several tolerances: one stream for each variable.
 inline constexpr std::uint32_t tolerance_corners = 0x51cf0000;
 
 // The streams of drawn hardware are one for each contact of a network.

@@ -220,7 +220,7 @@ void Expression::work_off(const Step& step, std::vector<double>& stack) const {
   };
   const bool one = step.operation == Operation::negate ||
                    (step.operation >= Operation::exp && step.operation <= Operation::floor);
-  // Of min and max, the arguments but one are still to be compared.
+  // min and max take one comparison less than arguments.
   const std::size_t times = step.operation >= Operation::min ? step.arguments - 1 : 1;
   for (std::size_t i = 0; i < times; ++i) {
     const double b = take();

@@ -53,7 +53,7 @@ class Expression {
     min,
     max,
   };
-  // In the order in which a stack machine works them off.
+  // Steps follow in the order of a stack machine.
   struct Step {
     Operation operation = Operation::number;
     double number = 0;

@@ -51,13 +51,13 @@ struct MechanismRig {
 enum class NumberStanding : std::uint8_t {
   plain,
   used,       // a coefficient of the rig was inferred from it, so that it proves nothing
-  explained,  // by an expression that gives it
-  open,       // it differs, and nobody knows why
+  explained,  // an expression gives it
+  open,       // it differs for an unknown reason
   refuted,    // it differs, and what it would take is known and not what its source says
 };
 
 struct PublishedNumber {
-  std::string quantity;  // in words: "load / line pull"
+  std::string quantity;  // quantity in words: "load / line pull"
   std::string source;    // "p. 137"
   std::string word;
   Routing routing;
@@ -70,9 +70,9 @@ struct PublishedNumber {
   PrintedNumber printed;
   NumberStanding standing = NumberStanding::plain;
   std::optional<Expression> explained_by;
-  std::optional<MechanismRig> met_by;  // of what is refuted: with this rig it would agree
-  std::string reason;                  // of what is explained, open or refuted
-  TomlPosition at;                     // in the mechanism's file
+  std::optional<MechanismRig> met_by;  // rig with which a refuted number would agree
+  std::string reason;                  // set for explained, open and refuted numbers
+  TomlPosition at;                     // place in the mechanism's file
 };
 
 struct Mechanism {
@@ -80,7 +80,7 @@ struct Mechanism {
   std::string name;
   std::string word;
   Routing routing;
-  Routing canonical;  // for identical fingers
+  Routing canonical;  // canonical for identical fingers
   std::string title;
   std::string source;
   std::string access;

@@ -142,7 +142,7 @@ class RigTables {
   const TomlNode* others_;
 };
 
-// What may stand beside a list of numbers and hold for all of them, or at one of them.
+// Keys that may stand beside a list of numbers, for all of them, or at one number.
 const std::vector<std::string_view> shared_keys{"rig",       "let",      "word",         "held",
                                                 "direction", "computed", "unit",         "open",
                                                 "refuted",   "met_by",   "explained_by", "because"};
@@ -267,6 +267,13 @@ void require_names(const NumberNodes& nodes, const PublishedNumber& number,
          .value = ends.front(),
          .expected = fmt::format("a motor-side segment that ends at an M in {}", number.word)});
   }
+  const auto tendons = MechanicsBuilder(rig.hardware).unmatched_tendons(network);
+  if (!tendons.empty()) {
+    nodes.number.fail_at_key(
+        {.what = "tendon",
+         .value = tendons.front(),
+         .expected = fmt::format("a tendon of {} that can have its spring or slack", number.word)});
+  }
   TensionState state;
   state.tension.assign(network.segments.size(), 1);
   state.closing.assign(static_cast<std::size_t>(network.fingers), 1);
@@ -360,7 +367,7 @@ bool is_from_secondary_source(const TomlNode& file) {
   return true;
 }
 
-// What nobody read at its source cannot be checked against it.
+// Numbers that nobody read at their source cannot be checked against it.
 void require_no_numbers(const TomlNode& file) {
   const TomlNode* published = file.find("published");
   if (published != nullptr && !published->children.empty()) {

@@ -8,7 +8,7 @@
 
 namespace reeve::catalog {
 
-// Throws InputError with file, line and column. Whether the name is taken is not looked at.
+// Throws InputError with file, line and column. Does not check if the name is taken.
 Mechanism read_mechanism(const TomlNode& file, const std::string& family);
 
 }  // namespace reeve::catalog

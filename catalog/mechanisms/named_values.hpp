@@ -1,4 +1,4 @@
-// What an expression about a mechanism can name (mechanism.hpp).
+// Names that an expression about a mechanism can use (mechanism.hpp).
 #pragma once
 
 #include "catalog/mechanisms/mechanism.hpp"

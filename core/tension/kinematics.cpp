@@ -13,10 +13,11 @@ namespace {
 constexpr double slip_tolerance = 1e-10;
 
 struct TendonTally {
-  bool is_driven = false;  // by some carriage that does not stand still
+  bool is_driven = false;  // true if some carriage moves it
   bool has_motor_side = false;
   double motor_sides = 0;     // each counts with the travel of its carriage
   double closing_weight = 0;  // each finger counts with both of its strands
+  double taut = 1;            // share of its travel behind its slack
 };
 
 double closing_weight(const Segment& segment, const Mechanics& mechanics) {
@@ -26,17 +27,23 @@ double closing_weight(const Segment& segment, const Mechanics& mechanics) {
 TendonTally tally(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
                   Grasp grasp) {
   TendonTally tally;
+  double slack_mm = 0;
   for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
     const Segment& segment = network.segments[i];
     if (segment.kind == SegmentKind::motor_side) {
       const double travel = end_travel(network, mechanics, grasp, i);
       tally.has_motor_side = true;
+      if (!mechanics.slack_mm.empty()) slack_mm += mechanics.slack_mm[i];
       tally.is_driven |= travel != 0;
       tally.motor_sides += travel;
     }
     if (closes(segment, grasp)) tally.closing_weight += closing_weight(segment, mechanics);
   }
   if (std::abs(tally.motor_sides) < slip_tolerance) tally.motor_sides = 0;
+  if (slack_mm > 0) {
+    const double taken_in_mm = std::max(tally.motor_sides, 0.0) * mechanics.travel_mm;
+    tally.taut = taken_in_mm > slack_mm ? 1 - slack_mm / taken_in_mm : 0;
+  }
   return tally;
 }
 
@@ -116,7 +123,18 @@ void add_circulation(const TendonSpan& tendon, double circulation, Motion& motio
   }
 }
 
+void leave_slack(const TendonSpan& tendon, Motion& motion) {
+  const auto clear = [](std::vector<double>& values, std::size_t first, std::size_t count) {
+    std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(first), count, 0.0);
+  };
+  clear(motion.imposed, tendon.first_segment, tendon.segments);
+  clear(motion.take_up, tendon.first_segment, tendon.segments);
+  clear(motion.slip, tendon.first_contact, tendon.contacts);
+}
+
+// True if every end at a motor travels D, none of them behind slack.
 bool ends_move_alike(const Network& network, const Mechanics& mechanics, const Grasp& grasp) {
+  if (!mechanics.slack_mm.empty()) return false;
   for (std::size_t i = 0; i < network.segments.size(); ++i) {
     if (network.segments[i].kind != SegmentKind::motor_side) continue;
     if (end_travel(network, mechanics, grasp, i) != 1) return false;
@@ -216,9 +234,13 @@ void Kinematics::solve_tendon(const Network& network, const Mechanics& mechanics
                               Motion& motion) {
   const TendonSpan& tendon = network.tendons[t];
   const TendonTally sums = tally(network, tendon, mechanics, grasp);
-  if (sums.has_motor_side && !sums.is_driven) {
+  if (sums.taut == 0 || (sums.has_motor_side && !sums.is_driven)) {
     motion.slack.resize(network.tendons.size(), 0);
     motion.slack[t] = 1;
+  }
+  if (sums.taut == 0) {
+    leave_slack(tendon, motion);
+    return;
   }
   if (sums.motor_sides < 0) motion.undetermined = true;
   const bool needs_no_finger = sums.has_motor_side && sums.motor_sides == 0;
@@ -230,6 +252,9 @@ void Kinematics::solve_tendon(const Network& network, const Mechanics& mechanics
       return sums.motor_sides * closing_weight(segment, mechanics) / sums.closing_weight;
     };
     impose_travel(network, mechanics, tendon, grasp, direction, shared, motion);
+  }
+  for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
+    motion.take_up[i] *= sums.taut;
   }
   accumulate_slip(tendon, motion);
   if (tendon.closed) add_circulation(tendon, circulation(tendon, mechanics, motion), motion);

@@ -1,4 +1,4 @@
-// What carriage and fingers impose on a tendon, and how the tendon slips through its contacts.
+// Computes the motion that carriage and fingers impose on a tendon, and its slip at the contacts.
 //
 // The carriage travels D = 1, those of several motors v_c D as the grasp says, and an end on a
 // spool of its own r_i times that. Pulling, every motor-side segment i has e_i = +r_i v_c D imposed
@@ -17,6 +17,9 @@
 // at order one, and the whole travel is take-up; in release, where a jammed carriage can only give
 // way, what stays stretched is the hand side. A tendon whose carriages all stand still carries
 // nothing; one that is let out in all would open its fingers, and is undetermined.
+//
+// A tendon with slack s, whose motor sides take in m D, carries nothing up to D = s / m. From there
+// on it moves like the others, and its take-up is the share 1 − s / (m D) of what it would be.
 //
 // Tendons that blocks tie together close as tree_kinematics.hpp says; a block that moves by z adds
 // z to what is imposed on the segments that it pulls, and takes z from its tails.
@@ -37,7 +40,7 @@ enum class Slide : std::int8_t { to_left = -1, no = 0, to_right = 1 };
 // Arrays parallel to the network's tendons, segments, contacts and fingers.
 struct Motion {
   std::vector<char> jams;
-  std::vector<char> slack;    // of the tendons; empty if none is
+  std::vector<char> slack;    // one per tendon; empty if none is
   bool undetermined = false;  // TreeState::undetermined of a tree, or a finger that would open
   std::vector<double> imposed;
   std::vector<double> take_up;

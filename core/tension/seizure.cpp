@@ -93,22 +93,4 @@ TensionState restored(const SeizedNetwork& seized, const TensionState& state) {
   return result;
 }
 
-std::string contact_name(const Network& network, std::size_t contact) {
-  for (const TendonSpan& tendon : network.tendons) {
-    if (contact < tendon.first_contact || contact >= tendon.first_contact + tendon.contacts) {
-      continue;
-    }
-    const auto [left, right] = ends_of(tendon, contact - tendon.first_contact);
-    return segment_name(network.segments[left]) + "-" + segment_name(network.segments[right]);
-  }
-  return {};
-}
-
-std::optional<std::size_t> find_contact(const Network& network, const std::string& name) {
-  for (std::size_t k = 0; k < network.contacts.size(); ++k) {
-    if (contact_name(network, k) == name) return k;
-  }
-  return std::nullopt;
-}
-
 }  // namespace reeve::core

@@ -6,8 +6,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "core/network.hpp"
@@ -27,9 +25,5 @@ SeizedNetwork seize(const Network& network, const std::vector<std::size_t>& cont
 
 // The state of a seized network in the order of the original one.
 TensionState restored(const SeizedNetwork& seized, const TensionState& state);
-
-// "T1-T2": the contact between these segments, in the order of the walk.
-std::string contact_name(const Network& network, std::size_t contact);
-std::optional<std::size_t> find_contact(const Network& network, const std::string& name);
 
 }  // namespace reeve::core

@@ -16,7 +16,7 @@ constexpr int most_sweeps = 10000;
 
 struct Piece {
   double motor_sides = 0;
-  std::vector<double> strands;  // of each finger that closes
+  std::vector<double> strands;  // count for each finger that closes
   double norm = 0;              // A W Aᵀ
   double lambda = 0;
 };

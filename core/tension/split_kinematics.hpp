@@ -1,5 +1,5 @@
-// How fingers close whose two strands may lie on two tendons, since a contact between them is
-// seized (seizure.hpp).
+// Computes the closing of fingers whose two strands may lie on two tendons, because a contact
+// between them is seized (seizure.hpp).
 //
 // The carriage travels D = 1. A tendon with m motor-side segments must lose m; its strands give up
 // dl_f each. The fingers close as little as they must:
@@ -30,8 +30,8 @@ namespace reeve::core {
 
 struct SplitClosing {
   std::vector<double> closing;  // dl of fingers 1 … n
-  std::vector<char> jams;       // of the tendons
-  std::vector<char> slack;      // of the tendons
+  std::vector<char> jams;       // one per tendon
+  std::vector<char> slack;      // one per tendon
   std::vector<double> block_travel;
 };
 

@@ -11,22 +11,24 @@
 namespace reeve::core {
 namespace {
 
-// Where a loop may be opened is decided by an inequality between rounded products.
+// Tolerance of the inequality between rounded products that decides if a loop may be opened.
 constexpr double cone_tolerance = 1e-12;
 
-// By how much (in the ratio) two neighbouring tensions leave the capstan cone; <= 0: inside.
+// Returns the excess over the capstan cone, in the ratio of two neighbouring tensions; <= 0:
+// inside.
 double cone_excess(double left, double right, double decay) {
   return std::max(left, right) * decay / std::min(left, right) - 1;
 }
 
-// Virtual work: a spool of radius r pulls the carriage with r times its tendon's tension.
+// Virtual work: a spool of radius r pulls the carriage with r times its tendon's tension, and a
+// locked end with nothing.
 void scale_to_unit_motor_tension(const Network& network, const Mechanics& mechanics,
-                                 TensionState& state) {
+                                 const Grasp& grasp, TensionState& state) {
   double motor = 0;
   state.motor_tension.fill(0);
   for (std::size_t i = 0; i < state.tension.size(); ++i) {
     const Segment& segment = network.segments[i];
-    if (segment.kind != SegmentKind::motor_side) continue;
+    if (segment.kind != SegmentKind::motor_side || grasp.locks(segment.number)) continue;
     const double pull = mechanics.spool(i) * state.tension[i];
     state.motor_tension[static_cast<std::size_t>(segment.carriage) - 1] += pull;
     motor += pull;
@@ -47,7 +49,7 @@ double motor_work(const Grasp& grasp, const TensionState& state) {
 
 void make_absolute(const Network& network, const Mechanics& mechanics, const Grasp& grasp,
                    TensionState& state) {
-  scale_to_unit_motor_tension(network, mechanics, state);
+  scale_to_unit_motor_tension(network, mechanics, grasp, state);
   state.motor_work = motor_work(grasp, state);
   if (!state.in_range) {
     std::fill(state.tension.begin(), state.tension.end(), std::numeric_limits<double>::quiet_NaN());
@@ -181,8 +183,8 @@ const TensionState& require_in_range(const TensionState& state, Grasp grasp) {
   throw OutOfRange(
       "held " + to_text(grasp) +
       ": the motor tension cannot be computed: a tendon hangs on no motor, blocks are free to move "
-      "against each other, a finger would have to open, ends at motors travel unlike each other beside "
-      "a seized contact, or friction is so strong that tensions fall out of range");
+      "against each other, a finger would have to open, all tendons are slack, ends at motors travel "
+      "unlike each other beside a seized contact, or friction is so strong that tensions fall out of range");
 }
 
 TensionState tensions(const Network& network, const Mechanics& mechanics, Grasp grasp,

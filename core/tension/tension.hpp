@@ -15,7 +15,9 @@
 // EA, Coulomb friction that does not depend on load or speed. Several tendons hang on one carriage
 // and take up the same fraction of their travel; one that jams takes the whole motor tension. With
 // several motors T_M is the sum of their tensions, and the grasp says how their carriages move. An
-// end on a spool of its own travels r D, so that T_M = Σ r_i T_i over the motor-side segments.
+// end on a spool of its own travels r D, so that T_M = Σ r_i T_i over the motor-side segments. An
+// end that the grasp locks travels 0, and its tension is no part of T_M; a tendon all of whose ends
+// are locked carries nothing. Springs in series and slack: mechanics.hpp, kinematics.hpp.
 // Tendons that floating blocks and bars tie together are solved as one (tree_tension.hpp).
 // Source: Exo-Glove II supplement, Eqs. 1–24, which this reproduces for the grasp "finger 1 held".
 #pragma once
@@ -36,15 +38,16 @@ namespace reeve::core {
 struct TensionState {
   bool jams = false;  // no finger of some tendon can move: the carriage is blocked
   // Otherwise a tendon hangs on no motor (is_actuated), blocks are free to move against each other,
-  // a finger would have to open, ends at motors travel unlike each other beside a seized contact,
-  // or friction is so strong that tensions leave the range of a double; they are no numbers then.
+  // a finger would have to open, all tendons are slack, ends at motors travel unlike each other
+  // beside a seized contact, or friction is so strong that tensions leave the range of a double;
+  // they are no numbers then.
   bool in_range = true;
   std::vector<double> tension;                        // N per N of motor tension; T_M is 1
   std::array<double, max_carriages> motor_tension{};  // likewise, of each motor's carriage
   double motor_work = 1;                              // Σ T_M D over the motors, per T_M D
   std::vector<double> slip;                           // left to right, per unit of carriage travel
   std::vector<double> closing;  // dl of fingers 1 … n, per unit of carriage travel
-  // How far the blocks move towards their tails, likewise; in release, back from there.
+  // Travel of the blocks towards their tails, likewise; in release, back from there.
   std::vector<double> block_travel;
 };
 
@@ -85,7 +88,7 @@ class TensionSolver {
   std::vector<double> chain_tension_;
 };
 
-// Of each motor that the network has.
+// Returns the tension of each motor that the network has.
 std::vector<double> motor_tensions(const Network& network, const TensionState& state);
 
 // The state itself, of this grasp. Throws OutOfRange that names the grasp if it has no tensions.

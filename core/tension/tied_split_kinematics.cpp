@@ -21,7 +21,7 @@ struct Constraints {
 
 struct Settled {
   Eigen::VectorXd x;
-  Eigen::VectorXd multiplier;  // of all tendons
+  Eigen::VectorXd multiplier;  // one per tendon
   bool met = false;
 };
 

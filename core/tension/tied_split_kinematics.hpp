@@ -1,5 +1,5 @@
-// How fingers close and blocks move where contacts are seized and blocks tie tendons together:
-// the active sets of split_kinematics.hpp.
+// Computes the closing of fingers and the travel of blocks if contacts are seized and blocks tie
+// tendons together, by the active sets of split_kinematics.hpp.
 #pragma once
 
 #include "core/tension/split_kinematics.hpp"

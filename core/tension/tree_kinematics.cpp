@@ -10,7 +10,7 @@
 namespace reeve::core {
 namespace {
 
-// Of lengths of order one, sums of a few tens of terms.
+// Tolerance of lengths of order one, sums of a few tens of terms.
 constexpr double length_tolerance = 1e-9;
 
 double closing_weight(const Mechanics& mechanics, int finger) {
@@ -85,8 +85,8 @@ struct CommonClosing {
 
 struct TreeMotion {
   TreeState state = TreeState::jams;
-  std::vector<double> blocks;    // by column
-  std::vector<double> closings;  // of fingers 1 … n
+  std::vector<double> blocks;    // travels, by column
+  std::vector<double> closings;  // closings of fingers 1 … n
 };
 
 // The closings as equal as the tendons let them: the conditions of a stationary variance.

@@ -1,4 +1,4 @@
-// How fingers close and blocks move where blocks tie tendons together.
+// Computes the closing of fingers and the travel of blocks if blocks tie tendons together.
 //
 // The carriage travels D = 1, those of several motors as the grasp says, and an end on a spool of
 // its own as the hardware says. A block that moves by z
@@ -77,10 +77,12 @@ inline bool closes(const Segment& segment, const Grasp& grasp) {
   return segment.kind == SegmentKind::strand && !grasp.holds(segment.finger);
 }
 
-// Travel of the end of a motor-side segment over D.
+// Travel of the end of a motor-side segment over D; 0 if it is locked.
 inline double end_travel(const Network& network, const Mechanics& mechanics, const Grasp& grasp,
                          std::size_t segment) {
-  return grasp.travel(network.segments[segment].carriage) * mechanics.spool(segment);
+  const Segment& side = network.segments[segment];
+  if (grasp.locks(side.number)) return 0;
+  return grasp.travel(side.carriage) * mechanics.spool(segment);
 }
 
 // The terms of a tendon's equation: calls on_motor(length), on_closing(finger, factor) for what a

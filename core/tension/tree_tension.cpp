@@ -140,7 +140,7 @@ TreeTension::Run TreeTension::sum_up(std::size_t first_cell, std::size_t& pull, 
   }
 }
 
-// Of taut tendons. Calls visit(first cell, run, β, c).
+// Calls visit(first cell, run, β, c) for each run of each taut tendon.
 template <typename Visit>
 void TreeTension::for_each_run(Visit visit) {
   const auto m = static_cast<Eigen::Index>(in_tree_.size());
@@ -183,7 +183,7 @@ void TreeTension::solve_linear() {
   for (Eigen::Index b = 0; b < m; ++b) travel_[in_tree_[static_cast<std::size_t>(b)]] = travel(b);
 }
 
-// How much the tendon is stretched in all; below 0 it is slack.
+// Returns the stretch of the whole tendon; below 0 it is slack.
 double TreeTension::room(const Chain& chain) const {
   std::size_t pull = chain.first_pull;
   double weight = 1;
@@ -201,7 +201,7 @@ double TreeTension::room(const Chain& chain) const {
 
 void TreeTension::find_wrong_links(const Chain& chain) {
   double slip = 0;
-  double size = 0;  // of the lengths that slip is a sum of
+  double size = 0;  // sum of the same lengths as slip, without signs
   std::size_t pull = chain.first_pull;
   for (std::size_t i = chain.first_cell; i < chain.end_cell; ++i) {
     const Cell& cell = cells_[i];
@@ -225,8 +225,8 @@ void TreeTension::find_wrong_links(const Chain& chain) {
   }
 }
 
-// What violates its condition. Slack comes last: while links are wrong, tendons only seem to be
-// left room.
+// Finds the links and tendons that violate their conditions. Slack comes last: while links are
+// wrong, tendons only seem to be left room.
 void TreeTension::find_exchanges() {
   exchanges_.clear();
   for (const Chain& chain : chains_) {

@@ -39,7 +39,7 @@ class TreeTension {
              std::size_t tree, std::vector<double>& tension);
 
  private:
-  // Of the blocks of one tree; no memory from the heap.
+  // One number for each block of a tree; no memory from the heap.
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, block_keys, 1>;
 
   enum class Link : std::uint8_t {
@@ -61,8 +61,8 @@ class TreeTension {
     double length = 1;
     double take_up = 0;
     Link link = Link::none;
-    double decay = 1;  // of the contact
-    double ratio = 1;  // of Link::ratio
+    double decay = 1;  // e^{-phi} of the contact
+    double ratio = 1;  // used by Link::ratio
     double arms = 1;   // left over right, at a bar of an open tendon
     bool is_bar = false;
     std::size_t pulls = 0;  // end of its part of pulls_
@@ -126,8 +126,8 @@ class TreeTension {
   std::vector<Exchange> exchanges_;
   std::vector<Loop> loops_;
   std::vector<std::size_t> openings_;
-  std::vector<double> travel_;        // of the tree's blocks, by their number in the network
-  double scale_ = 0;                  // of take-ups and travels
+  std::vector<double> travel_;  // travels of the tree's blocks, by their number in the network
+  double scale_ = 0;            // greatest of the take-ups and travels
   std::vector<std::size_t> in_tree_;  // the tree's blocks
 };
 

@@ -59,7 +59,7 @@ inline constexpr std::array<NamedColour, 9> colours{{{Colour::blue, "blue", "#00
                                                      {Colour::grey, "grey", "#808080"},
                                                      {Colour::violet, "violet", "#7b3fa0"}}};
 
-// For the i-th of several classes. Seven colours and six symbols are 42 pairs.
+// Colour and symbol of the i-th of several classes. Seven colours and six symbols are 42 pairs.
 Colour series_colour(std::size_t i);
 Symbol series_symbol(std::size_t i);
 
@@ -68,7 +68,7 @@ enum class Dash : std::uint8_t { solid, dashed, dotted };
 struct Style {
   Colour colour = Colour::blue;
   Symbol symbol = Symbol::circle;
-  double size = 4;    // of a symbol: half its width, px
+  double size = 4;    // half the width of a symbol, px
   double line = 1.5;  // width of lines and of outlines, px
   double fill = 1;    // opacity of symbols, bars, bands and ribbons inside their outline
   double opacity = 1;
@@ -85,7 +85,7 @@ struct Spot {
   std::string label;
 };
 
-// From `low` to `high` on one axis, `at` that place on the other.
+// A span from `low` to `high` on one axis, at the place `at` of the other.
 struct Span {
   double at = 0;
   double low = 0;
@@ -94,7 +94,7 @@ struct Span {
 };
 
 struct Polyline {
-  std::vector<Point> through;  // of the data
+  std::vector<Point> through;  // points of the data
   std::string title;
 };
 
@@ -105,7 +105,8 @@ struct Level {
   std::string label;
 };
 
-// What several layers of bars or spans over one category share: this is the slot-th of them.
+// Share of a category: several layers of bars or spans divide it into slots, and this is one of
+// them.
 struct Slot {
   std::size_t slot = 0;
   std::size_t slots = 1;
@@ -165,7 +166,7 @@ struct Texts {
 using Marks = std::variant<Points, Bars, Spans, Paths, PanelBands, Rules, Texts, Ribbons>;
 
 struct Layer {
-  std::string name;  // in the legend
+  std::string name;  // name in the legend
   Style style;
   Marks marks;
 };
@@ -173,10 +174,10 @@ struct Layer {
 enum class Format : std::uint8_t { plain, percent, with_sign };
 
 struct Axis {
-  std::string title;  // with the unit: "motor tension, N"
+  std::string title;  // title with the unit: "motor tension, N"
   std::vector<std::string>
       categories;               // if there are any, the axis is of these; x: to the right, y: down
-  std::optional<double> least;  // what is possible: no tick lies beyond
+  std::optional<double> least;  // limit of possible values: no tick lies beyond
   std::optional<double> greatest;
   std::vector<double> reaches;  // values that lie on the axis whatever the marks do
   // Above 0: a value v lies at sign(v) ln(1 + |v| / linear_to), linear up to there and logarithmic
@@ -199,10 +200,10 @@ struct Panel {
 
 // Panels of one size, in rows.
 struct Chart {
-  std::string alt;  // what it shows, in words
+  std::string alt;  // description in words
   std::vector<Panel> panels;
   std::size_t columns = 1;
-  double width = 600;  // of each panel's frame, px
+  double width = 600;  // width of each panel's frame, px
   double height = 340;
   bool shared_y = false;  // one scale for all panels, with numbers at the first of each row only
   bool shared_x = false;  // one scale for all panels

@@ -17,7 +17,7 @@ double straight(double bent, double linear_to) {
   return linear_to > 0 ? std::copysign(linear_to * std::expm1(std::abs(bent)), bent) : bent;
 }
 
-constexpr double slack = 1e-9;  // of a step: what rounding may make of a multiple of it
+constexpr double slack = 1e-9;  // share of a step, for rounding errors of its multiples
 
 double first_multiple(const Extent& extent, double step) {
   return std::floor(extent.low / step + slack);
@@ -64,7 +64,7 @@ std::string with_sign(std::string text, Format format) {
 
 constexpr double least_gap = 10;  // px between two texts
 
-// What the text takes along the axis.
+// Returns the length of the text along the axis.
 double room(const std::string& text, Along along) {
   return along == Along::y ? tick_size : measures::text_width(text, tick_size, false);
 }
@@ -80,7 +80,7 @@ bool has_room_for_all(const std::vector<Tick>& ticks, Along along) {
   return true;
 }
 
-// Those that come first keep their texts.
+// Clears the texts that overlap an earlier one.
 void drop_overlapping(std::vector<Tick>& ticks, Along along) {
   std::vector<Tick*> kept;
   for (Tick& tick : ticks) {
@@ -109,7 +109,7 @@ void trim(Ticks& ticks, const Extent& extent) {
   if (values.size() > 2 && is_far(extent.low - values.front())) values.erase(values.begin());
 }
 
-// Where a tick would lie beyond what is possible, the limit itself gets one.
+// Adds ticks. A tick beyond the possible values is replaced by one at the limit.
 LaidAxis with_ticks(const Axis& axis, const Extent& extent, const Stretch& stretch,
                     std::size_t most) {
   Ticks nice = nice_ticks(extent, most, axis.whole);

@@ -20,7 +20,7 @@
 namespace reeve::drawing::chart {
 
 struct Scale {
-  double low = 0;  // of the quantity; less than `high`
+  double low = 0;  // least value of the quantity; less than `high`
   double high = 1;
   double from = 0;  // pixels: where `low` lies
   double to = 1;
@@ -37,7 +37,7 @@ bool can_be_drawn(const Spot& spot);
 bool can_be_drawn(const Span& span);
 bool can_be_drawn(const Level& level);
 
-// From the least to the greatest of some numbers; empty at first.
+// Range from the least to the greatest of some numbers; empty at first.
 struct Extent {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -57,17 +57,16 @@ struct Ticks {
 // below 1.
 Ticks nice_ticks(const Extent& extent, std::size_t most, bool whole = false);
 
-// For an axis that is logarithmic beyond `linear_to`: 0 and 1, 3, 10, 30, … from there on, of both
-// signs, as far as they lie within the extent. Those that matter most come first: 0, powers of ten,
-// the rest.
+// Ticks of an axis that is logarithmic beyond `linear_to`: 0 and 1, 3, 10, 30, … from there on, of
+// both signs, within the extent. The most important come first: 0, powers of ten, the rest.
 std::vector<double> bent_ticks(const Extent& extent, double linear_to);
 
-// With as many decimals as the step has.
+// Formats with as many decimals as the step has.
 std::string tick_text(double value, double step, Format format);
-// With as many as the value itself needs.
+// Formats with as many decimals as the value needs.
 std::string tick_text(double value, Format format);
 
-inline constexpr double tick_size = 12;  // of the text
+inline constexpr double tick_size = 12;  // size of the text, px
 
 struct Tick {
   double value = 0;
@@ -94,11 +93,11 @@ struct Stretch {
   Inset inset;
 };
 
-// For numbers; the extent has a length. As many ticks as have room for their texts, which lie along
-// (x) or across the axis (y).
+// Lays an axis of numbers; the extent has a length. It has as many ticks as have room for their
+// texts, which lie along (x) or across the axis (y).
 LaidAxis lay_numbers(const Axis& axis, const Extent& extent, const Stretch& stretch, Along along);
 
-// A tick for each category; the layout of their texts is somebody else's.
+// Sets a tick for each category; the caller lays out their texts.
 LaidAxis lay_categories(const Axis& axis, const Stretch& stretch);
 
 }  // namespace reeve::drawing::chart

@@ -32,7 +32,7 @@ std::vector<PanelRow> rows(const Chart& chart) {
   return result;
 }
 
-// Of all panels together where they share the scale.
+// Returns the extent of each panel; panels that share the scale have the extent of all.
 std::vector<Extent> extents(const Chart& chart, Along along, bool shared) {
   std::vector<Extent> result;
   Extent all;
@@ -60,7 +60,8 @@ std::vector<LaidPanel> lay_panels(const Chart& chart, const std::vector<PanelRow
   return panels;
 }
 
-// What stands out of the frames of each column, on the left and on the right; so do frames' places.
+// Width beside the frames of each column, on the left and on the right, and the place of the
+// frames.
 struct ColumnPlace {
   double out_left = 0;
   double out_right = 0;
@@ -87,7 +88,8 @@ std::vector<ColumnPlace> columns(const Chart& chart, const std::vector<PanelRow>
   return result;
 }
 
-// As wide as the panels, and no narrower than a few words; returns where they may begin.
+// Adds a heading as wide as the panels, and no narrower than a few words. Returns the top of the
+// panels.
 double add_heading(const std::string& heading, double right, double top, ChartLayout& layout) {
   const double width = std::max(right - margin, least_heading);
   for (const ChartText& line : broken(heading, heading_text, Weight::bold, width, 3)) {
@@ -135,8 +137,8 @@ void add_entry(const Layer& layer, std::vector<LegendEntry>& entries) {
   if (is_new) found->layers.push_back(&layer);
 }
 
-// In the order in which the names come first, in rows from the left between the room's sides. Keeps
-// pointers to the layers.
+// Lists names in the order in which they come first, in rows from the left between the room's
+// sides. Keeps pointers to the layers.
 std::vector<LegendEntry> legend(const Chart& chart, const Box& room) {
   std::vector<LegendEntry> entries;
   for (const Panel& panel : chart.panels) {
@@ -183,7 +185,7 @@ void add_legend(const Chart& chart, ChartLayout& layout) {
   layout.height = std::ceil(bottom + margin);
 }
 
-constexpr double widest = 0.45;  // of the frame
+constexpr double widest = 0.45;  // share of the frame
 
 struct Wanted {
   std::vector<WantedLabel> labels;
@@ -221,7 +223,7 @@ void add_rules(const LaidPanel& panel, const Rules& rules, Wanted& wanted) {
   }
 }
 
-// Where the line from the mark meets the text's box, and where it leaves the mark.
+// Finds both ends of the line from the mark to its text.
 LaidLabel laid(ChartText text, const WantedLabel& wanted, const PlacedLabel& placed) {
   const Box& box = placed.box;
   text.drawn.box = box;
@@ -237,7 +239,8 @@ LaidLabel laid(ChartText text, const WantedLabel& wanted, const PlacedLabel& pla
   return label;
 }
 
-// Of spots and rules that have one, as far as there is room; the panel lies where it will stay.
+// Lays the labels of spots and rules, as far as there is room. The panel is already in its final
+// place.
 std::vector<LaidLabel> mark_labels(const LaidPanel& panel) {
   Wanted wanted;
   for (const Layer& layer : panel.panel->layers) {

@@ -21,7 +21,7 @@ struct LaidPanel {
 };
 
 struct LegendEntry {
-  std::vector<const Layer*> layers;  // whose symbols lie over each other
+  std::vector<const Layer*> layers;  // layers whose symbols lie over each other
   Box symbol;
   ChartText text;
 };
@@ -46,17 +46,19 @@ struct ChartLayout {
 // Keeps pointers into the chart.
 ChartLayout layout(const Chart& chart);
 
-// Where a spot of this panel lies.
+// Place of a spot of this panel.
 Point place(const LaidPanel& panel, double x, double y);
 
-// Of the panels alone, before anybody knows where in the chart they lie (chart_panel.cpp):
+// The following functions handle one panel, before its place in the chart is known
+// (chart_panel.cpp).
 
-// Over all marks of the panel that can be drawn, and the axis' own `reaches`; over both axes where
-// they have one scale. Categories are wide: half of one on both sides of its place.
+// Returns the extent of all marks of the panel that can be drawn, and of the axis' own `reaches`.
+// If both axes have one scale, it covers both. Categories extend half a category on both sides of
+// their place.
 Extent extent(const Panel& panel, Along along);
 
-// With a length greater than 0 whatever the marks are, and within what is possible unless marks lie
-// beyond that.
+// Returns an extent of a length greater than 0, for any marks. It stays within the possible values
+// unless marks lie beyond them.
 Extent widened(const Axis& axis, const Extent& marks);
 
 const Axis& axis(const Panel& panel, Along along);
@@ -64,7 +66,7 @@ const Axis& axis(const Panel& panel, Along along);
 struct PanelFrame {
   double width = 0;
   double height = 0;
-  Extent x;  // of numbers; they have lengths
+  Extent x;  // range of numbers, of a length above 0
   Extent y;
   bool numbers_at_y = true;  // otherwise another panel of the row has them
 };

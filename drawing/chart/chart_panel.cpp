@@ -63,11 +63,11 @@ class Reaching {
 };
 
 constexpr double tick_length = 5;
-constexpr double beside_tick = tick_length + 3;  // from the frame to a tick's text
+constexpr double beside_tick = tick_length + 3;  // distance from the frame to a tick's text
 constexpr double before_title = 5;
 constexpr double widest_category = 230;   // beside the y axis
 constexpr double longest_category = 150;  // turned, below the x axis
-constexpr double beyond_frame = 14;       // that a title may be wider than the frame
+constexpr double beyond_frame = 14;       // a title may be so much wider than the frame
 constexpr std::size_t most_lines = 3;
 
 double lowest(const std::vector<ChartText>& texts, double least) {
@@ -87,7 +87,7 @@ std::vector<ChartText> tick_lines(const Tick& tick, double width, std::size_t mo
   return broken(tick.text, tick_size, Weight::normal, width, most);
 }
 
-// Whether each category has room for its text below its place.
+// True if each category has room for its text below its place.
 bool lie_flat(const std::vector<Tick>& ticks, double width) {
   return std::all_of(ticks.begin(), ticks.end(), [&](const Tick& tick) {
     const std::vector<ChartText> lines = tick_lines(tick, width, most_lines);
@@ -114,7 +114,7 @@ void add_turned(const LaidPanel& laid, double step, std::vector<ChartText>& text
   }
 }
 
-// From one category to the next; of a single one, all the room.
+// Distance from one category to the next; all the room for a single one.
 double step_of(const std::vector<Tick>& ticks, double length) {
   return ticks.size() < 2 ? length : std::abs(ticks[1].at - ticks[0].at);
 }
@@ -199,7 +199,8 @@ Inset inset(const Panel& panel, Along along, double length) {
   const auto categories = static_cast<double>(axis(panel, along).categories.size());
   if (categories == 1) return {};
   if (categories > 1) {
-    // With i the inset, half a category is (length - 2 i) / 2 / categories: with i it must be half.
+    // Solves half = (length - 2 i) / 2 / categories + i for the inset i: half a category and the
+    // inset.
     const double room = (half - length / 2 / categories) / (1 - 1 / categories);
     return {std::max(0.0, room), std::max(0.0, room)};
   }
@@ -256,7 +257,7 @@ Extent widened(const Axis& axis, const Extent& marks) {
   const double by = value == 0 || axis.whole ? 1 : 0.1 * std::abs(value);
   extent.low = std::max(value - by, axis.least.value_or(value - by));
   extent.high = std::min(value + by, axis.greatest.value_or(value + by));
-  // Where nothing is possible beside the value, or the limits are the wrong way round.
+  // The value alone is possible, or the limits are the wrong way round.
   if (extent.high <= extent.low) return {value - by, value + by};
   return extent;
 }

@@ -74,9 +74,9 @@ std::string symbol(Symbol kind, Point at, double size) {
 }
 
 const std::string no_fill = " fill=\"none\"";
-constexpr double bar_share = 0.8;  // of a category
+constexpr double bar_share = 0.8;  // share of a category
 
-// What a reader sees who points there; its lines stay lines.
+// Tooltip of a mark; its lines stay lines.
 std::string hint(const std::string& title) {
   std::string lines;
   for (std::size_t begin = 0; begin <= title.size();) {
@@ -136,7 +136,7 @@ std::string line(Point from, Point to, const std::string& title) {
   return ended(path(svg::move_to(from) + svg::line_to(to)), "path", title);
 }
 
-// What is drawn of those items that have a place.
+// Draws those items that have a place.
 template <typename Item, typename Draw>
 std::string each(const std::vector<Item>& items, Draw draw) {
   std::string text;
@@ -163,7 +163,7 @@ std::string filled(const Style& style, bool outlined) {
   return outlined ? text + stroke(style) : text;
 }
 
-// How the marks of this kind show the style, and what their group is called.
+// Style attributes of marks of this kind, and the name of their group.
 struct Appearance {
   const char* name;
   std::string attributes;
@@ -203,7 +203,7 @@ std::string group(const Layer& layer, const std::string& content, bool in_legend
   return svg::group(attributes, content);
 }
 
-// Where the slot-th of the slots of a category lies, in units of the axis.
+// Place of a slot of a category, in units of the axis.
 double beside(double at, const Slot& slot) {
   const double slots = static_cast<double>(std::max<std::size_t>(slot.slots, 1));
   return at + bar_share * ((static_cast<double>(slot.slot) + 0.5) / slots - 0.5);

@@ -17,7 +17,7 @@ void shorten(std::string& text) {
   if (!text.empty()) text.pop_back();
 }
 
-// Where a stretch of this length begins that is aligned to `at`.
+// Begin of a stretch of this length that is aligned to `at`.
 double begin(double at, double length, Align align) {
   if (align == Align::middle) return at - length / 2;
   return align == Align::start ? at : at - length;
@@ -36,8 +36,8 @@ bool within(const Box& box, const Box& frame) {
          box.bottom <= frame.bottom;
 }
 
-// Where a text can stand as seen from its mark: -1, 0 or 1 in x and in y. Right before left, since
-// texts are read from there.
+// Possible sides of a text, seen from its mark: -1, 0 or 1 in x and in y. Right comes before left,
+// since texts are read from there.
 constexpr std::array<Point, 8> sides{
     {{1, 0}, {-1, 0}, {0, -1}, {0, 1}, {1, -1}, {1, 1}, {-1, -1}, {-1, 1}}};
 

@@ -12,20 +12,20 @@ namespace reeve::drawing::chart {
 struct ChartText {
   DrawnText drawn;
   bool turned = false;  // it reads upward; the box is as it lies, so higher than wide
-  std::string whole;    // where it was cut: all of it
+  std::string whole;    // the whole text, if it was cut
 };
 
 inline constexpr double small_text = 12;
 inline constexpr double title_text = 13;
 inline constexpr double heading_text = 14;
 
-// Of a text of one line.
+// Height of a text of one line.
 double line_of(double size);
 
-// At most `width` wide: cut behind a character, with "…" for what is missing.
+// Cuts a text to `width`, behind a character, with "…" for the rest.
 ChartText cut(const std::string& text, double size, Weight weight, double width);
 
-// Broken into at most `most` lines of that width, each cut if need be.
+// Breaks a text into at most `most` lines of that width, each cut if need be.
 std::vector<ChartText> broken(const std::string& text, double size, Weight weight, double width,
                               std::size_t most);
 
@@ -40,9 +40,9 @@ void shift(ChartText& text, double dx, double dy);
 Box around(const Box& a, const Box& b);
 
 struct WantedLabel {
-  Point at;           // of its mark
-  double radius = 0;  // of its mark
-  double width = 0;   // of the text
+  Point at;           // place of its mark
+  double radius = 0;  // radius of its mark
+  double width = 0;   // width of the text
   double height = 0;
 };
 

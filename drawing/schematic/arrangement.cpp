@@ -79,7 +79,7 @@ double cost(const Fittings& all, const Arrangement& made) {
   return cost;
 }
 
-// In pairs of ports looked at: some seconds at most.
+// Limit in pairs of ports evaluated: some seconds.
 constexpr std::size_t most_work = 10'000'000;
 
 class Arranging {
@@ -104,7 +104,7 @@ class Arranging {
   }
 
  private:
-  // What has a column of its own.
+  // True if the fitting has a column of its own.
   bool is_free(std::size_t fitting) const {
     const Fitting& f = all_.fittings[fitting];
     return f.carrier == nowhere && f.inside == nowhere && f.kind != FittingKind::finger;
@@ -216,7 +216,7 @@ class Arranging {
     return cost(all_, made_);
   }
 
-  // Nothing between the strands of a finger.
+  // Moves all fittings out from between the strands of a finger.
   void put_outside() {
     for (std::size_t i = 0; i < all_.fittings.size(); ++i) {
       Fitting& fitting = all_.fittings[i];
@@ -330,7 +330,7 @@ class Arranging {
 void add_pieces(const Arrangement& made, Places& places) {
   for (const LaneStretch& stretch : made.lanes.stretches) {
     const auto [one, other] = places.fittings.segments[stretch.segment].port;
-    // Of two stretches the upper comes first.
+    // The upper of two stretches comes first.
     const bool backwards = stretch.port[1] == one || stretch.port[0] == other;
     const LevelPiece piece{height(made.heights, stretch),
                            places.ports[stretch.port[backwards ? 1 : 0]].x,

@@ -42,10 +42,10 @@ std::vector<Distance> distances(std::size_t size, const std::vector<Strip>& stri
   return found;
 }
 
-// Where a fitting would like to stand.
+// Wished place of a fitting.
 struct Wish {
   std::size_t other = 0;
-  double ahead = 0;      // of the other's middle
+  double ahead = 0;      // distance from the other's middle
   bool straight = true;  // otherwise the line turns back anyhow
 };
 
@@ -157,8 +157,8 @@ class Spacing {
     return room;
   }
 
-  // As far towards what is wished as the others leave room; a finger that nothing draws, next to
-  // the others. False if nothing moves.
+  // Moves each fitting as far towards its wish as the others leave room. A finger without wishes
+  // goes next to the others. False if nothing moves.
   bool settle() {
     bool moved = false;
     for (std::size_t i = 0; i < x_.size(); ++i) {
@@ -175,8 +175,8 @@ class Spacing {
     return moved;
   }
 
-  // Where a line runs on with a small step, everything right of it is moved by that step, if that
-  // leaves fewer of them.
+  // Removes small steps in lines that run on: moves everything right of a step by its length, if
+  // fewer steps remain.
   void straighten() {
     constexpr double small = 16;
     for (std::size_t i = 0; i < x_.size(); ++i) {

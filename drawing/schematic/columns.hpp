@@ -1,6 +1,6 @@
-// Where from left to right fittings in levels stand.
+// Horizontal places of fittings in levels.
 //
-// What passes the same height keeps its order and some distance: x_j ≥ x_i + d_ij for every two
+// Parts at the same height keep their order and some distance: x_j ≥ x_i + d_ij for every two
 // fittings i, j. Within that, each fitting goes where its lines run straight: to the median of the
 // places that would let one of them do so.
 #pragma once
@@ -12,16 +12,16 @@
 
 namespace reeve::drawing {
 
-// What keeps others away: an upright strip at a place of its fitting and over some heights.
+// Keeps other parts away: an upright strip at a place of its fitting, over a range of heights.
 struct Strip {
-  std::size_t fitting = 0;  // whose middle it moves with
+  std::size_t fitting = 0;  // the strip moves with its middle
   double rank = 0;
-  double left = 0;  // from that middle, rightward
+  double left = 0;  // from the fitting's middle, rightward
   double right = 0;
   double top = 0;
   double bottom = 0;
-  std::size_t segment = nowhere;  // of a line
-  bool rises = false;             // of a line: from its stretch upward
+  std::size_t segment = nowhere;  // segment of a line's strip
+  bool rises = false;             // true if the line goes upward from its stretch
 };
 
 std::vector<Strip> strips(const Network& network, const Fittings& all, const Lanes& lanes,

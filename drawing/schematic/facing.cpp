@@ -1,9 +1,9 @@
-// Which way blocks and joins face, and how deep below the fingers they lie.
+// Directions that blocks and joins face, and their levels below the fingers.
 //
-// A line that leaves one port downward and arrives at a lower one from above runs straight on; two
-// ports that face the same way need a bend. Blocks and joins are turned so that bends are few: the
-// blocks that only fingers hang on then lie nearest to the fingers, upright, those above them
-// nearer to the sheaths; a block whose tail pulls at a finger is inverted, with its tackle below.
+// A line that leaves one port downward and arrives at a lower one from above runs straight on. Two
+// ports that face the same way need a bend. Blocks and joins are turned so that bends are few:
+// blocks with fingers only lie nearest to the fingers, upright, and those above them nearer to the
+// sheaths. A block whose tail pulls at a finger is inverted, with its tackle below.
 #include <algorithm>
 
 #include "drawing/schematic/fittings.hpp"
@@ -141,7 +141,7 @@ void add_bends(Fittings& all) {
   }
 }
 
-// What joins the two strands of one finger and nothing else.
+// Notes fittings that join the two strands of one finger and nothing else.
 void note_inside(Fittings& all) {
   for (std::size_t i = 0; i < all.fittings.size(); ++i) {
     Fitting& fitting = all.fittings[i];

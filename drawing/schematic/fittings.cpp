@@ -130,7 +130,7 @@ class Assembly {
 // Whole pixels, so that lines meet their ports exactly; to scale up to 9 : 1.
 std::array<double, 2> arm_lengths(const ArmRatio& arms) {
   constexpr int least_arm = 26;
-  constexpr int least_bar = 104;  // from a finger's middle to the next
+  constexpr int least_bar = 104;  // distance between the middles of two fingers
   constexpr int longest_bar = 264;
   const int a = arms.left;
   const int b = arms.right;
@@ -144,7 +144,7 @@ std::array<double, 2> arm_lengths(const ArmRatio& arms) {
                : std::array<double, 2>{1.0 * shorter, 1.0 * longer};
 }
 
-// At the pitch of two strands of a finger, so that a sheave and the joins beside it line up.
+// Uses the pitch of two strands of a finger, so that a sheave and the joins beside it line up.
 void spread(const std::vector<std::size_t>& row, Fittings& all) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     all.ports[row[i]].offset =

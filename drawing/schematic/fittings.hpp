@@ -1,6 +1,6 @@
-// What a schematic is made of, before anything has a place: fittings (fingers, blocks and bars,
-// joins at the hand, sheaths, pulleys on the carriage), and their ports, at which segments of
-// tendon end.
+// Fittings of a schematic and their ports, before anything has a place. Fittings are fingers,
+// blocks and bars, joins at the hand, sheaths, and pulleys on the carriage. Segments of tendon end
+// at ports.
 //
 // A port faces down or up: that is where its line leaves. Passes, arms and beckets of a block face
 // one way and its tails the other; a block is drawn upright (its tails below) or inverted,
@@ -43,8 +43,8 @@ constexpr bool is_tail(PortRole role) { return role == PortRole::tail || role ==
 struct FittingPort {
   std::size_t fitting = 0;
   PortRole role = PortRole::strand;
-  std::size_t twin = nowhere;  // of a turn: its other leg
-  double offset = 0;           // from the fitting's middle, rightward
+  std::size_t twin = nowhere;  // the other leg of a turn
+  double offset = 0;           // distance from the fitting's middle, rightward
 };
 
 struct Fitting {
@@ -54,17 +54,17 @@ struct Fitting {
   std::size_t level = 0;  // 0: the fingers; then downward
   // Tails, and the others likewise, as they stand from left to right.
   std::vector<std::size_t> ports;
-  // Of a sheath straight below a port: that port.
+  // The port that a sheath lies straight below.
   std::size_t carrier = nowhere;
-  // Of what lies between the two strands of one finger and joins them: that finger's fitting.
+  // The finger's fitting, if this one lies between its two strands and joins them.
   std::size_t inside = nowhere;
 };
 
-// What holds the end of a segment that has no port.
+// Holds the end of a segment that has no port.
 enum class LooseEnd : std::uint8_t { fixed, tied };
 
 struct SegmentEnds {
-  std::array<std::size_t, 2> port{nowhere, nowhere};  // of its begin and its end
+  std::array<std::size_t, 2> port{nowhere, nowhere};  // ports of its begin and its end
   std::size_t via = nowhere;                          // the port of its bend
   std::size_t tendon = 0;
   LooseEnd loose = LooseEnd::fixed;
@@ -74,8 +74,8 @@ struct Fittings {
   std::vector<Fitting> fittings;  // the fingers first
   std::vector<FittingPort> ports;
   std::vector<SegmentEnds> segments;              // parallel to the network's
-  std::vector<std::array<std::size_t, 2>> turns;  // of each contact: its ports, in walk order
-  std::vector<std::size_t> blocks;                // of each of the network's blocks: its fitting
+  std::vector<std::array<std::size_t, 2>> turns;  // [contact]: its ports, in walk order
+  std::vector<std::size_t> blocks;                // [block of the network]: its fitting
   std::size_t sheath_level = 1;
 
   bool faces_down(std::size_t port) const;
@@ -94,7 +94,7 @@ void face(Fittings& all);
 // Gives the ports of a fitting their offsets, in their order.
 void place_ports(const Network& network, std::size_t fitting, Fittings& all);
 
-// How far from the middle of a block its first and its last tail leave it.
+// Distances from the middle of a block to its first and its last tail.
 struct Tails {
   double first = 0;
   double last = 0;

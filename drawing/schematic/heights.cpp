@@ -8,10 +8,10 @@ namespace {
 
 using namespace measures;
 
-constexpr double below_level = 6;  // to the channel
+constexpr double below_level = 6;  // distance to the channel
 constexpr double lane_room = 12;   // above the topmost lane and below the lowest
 constexpr double label_room = 4;   // above and below a label
-constexpr double stub = label_height + 2 * label_room + 2;  // of a fixed end with a label
+constexpr double stub = label_height + 2 * label_room + 2;  // length of a fixed end with a label
 constexpr double short_stub = 12;                           // … without
 
 struct FittingExtent {

@@ -1,4 +1,4 @@
-// What the symbols of a schematic mean: the texts, their places and the drawing.
+// Legend of a schematic's symbols: the texts, their places and the drawing.
 #include <array>
 
 #include "core/performance.hpp"

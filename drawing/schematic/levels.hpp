@@ -16,8 +16,8 @@
 
 namespace reeve::drawing {
 
-// From left to right every port has a rank: ports of lesser rank stand left of it wherever both
-// pass the same height.
+// [port]: rank from left to right. A port of lesser rank stands left of another wherever both pass
+// the same height.
 using Ranks = std::vector<double>;
 
 struct LaneStretch {
@@ -25,12 +25,12 @@ struct LaneStretch {
   std::size_t channel = 0;  // below the level of this number
   std::size_t lane = 0;     // 0: the topmost
   std::array<std::size_t, 2> port{};
-  std::array<bool, 2> rises{};  // whether the line goes on upward at that port
+  std::array<bool, 2> rises{};  // true if the line goes on upward at that port
 };
 
 struct Lanes {
   std::vector<LaneStretch> stretches;
-  std::vector<std::size_t> of_channel;  // how many lanes each has
+  std::vector<std::size_t> of_channel;  // [channel]: number of lanes
 };
 
 Lanes lanes(const Fittings& all, const Ranks& ranks);
@@ -42,17 +42,17 @@ struct ChannelHeights {
   double bottom = 0;
 };
 
-// From where the palm begins.
+// Heights, measured from where the palm begins.
 struct Heights {
   std::vector<double> level;  // the middle of each; the fingers' is 0
   std::vector<ChannelHeights> channel;
   double hand_bottom = 0;
   double carriage_top = 0;
   double tied = 0;
-  double bottom = 0;  // of the carriage, or of the hand where there is none
+  double bottom = 0;  // bottom of the carriage, or of the hand without one
 };
 
-// Where along a line that has no finger to run along its name stands: at this port.
+// Returns the port at which the name of a line without a finger stands.
 std::size_t labelled_port(const Network& network, const Fittings& all, std::size_t segment);
 
 Heights heights(const Network& network, const Fittings& all, const Lanes& lanes);
@@ -60,7 +60,7 @@ Heights heights(const Network& network, const Fittings& all, const Lanes& lanes)
 // The height of a port: of the middle of its turn, its eye or its knot.
 double height(const Fittings& all, const Heights& heights, std::size_t port);
 double height(const Heights& heights, const LaneStretch& stretch);
-// Where a loose end is held, beyond that port.
+// Height at which a loose end is held, beyond that port.
 double loose_end(const Fittings& all, const Heights& heights, std::size_t port, LooseEnd end);
 // The top of a label at that port.
 double label_top(const Fittings& all, const Heights& heights, std::size_t port);

@@ -1,4 +1,4 @@
-// What a schematic's layout decides and no grasp changes: where ports, lines and labels stand.
+// Layout of a schematic that no grasp changes: places of ports, lines and labels.
 //
 // There are two such layouts. A hand without floating parts has its columns in the order of the
 // fingers and its joins in rows below each other (rows.cpp). With blocks, bars or anchored tips,
@@ -18,7 +18,7 @@ struct LevelPiece {
   double y = 0;
   double from = 0;  // x, in walk order
   double to = 0;
-  double rounding = measures::bend;  // of its two corners, where there is room
+  double rounding = measures::bend;  // rounding of its two corners, if there is room
 };
 
 // `start`: right of the line at that x, `end`: left of it, `middle`: under it.
@@ -35,11 +35,11 @@ struct Places {
   std::vector<Point> ports;     // the fingertips' y depends on the grasp
   // Parallel to the segments:
   std::vector<std::vector<LevelPiece>> pieces;
-  std::vector<Point> loose;        // where an end without a port is held
+  std::vector<Point> loose;        // place that holds an end without a port
   std::vector<LabelPlace> labels;  // the strands' stand in their fingers
   Box hand;
   double carriage_top = 0;
-  double bottom = 0;  // of the carriage, or of the hand where there is none
+  double bottom = 0;  // bottom of the carriage, or of the hand without one
 
   explicit Places(Fittings placed);
 };
@@ -47,7 +47,7 @@ struct Places {
 Places places_in_rows(const Network& network, Fittings fittings);
 Places places_in_levels(const Network& network, Fittings fittings);
 
-// By whichever of them the network needs.
+// Uses the layout that the network needs.
 Places places(const Network& network);
 
 }  // namespace reeve::drawing

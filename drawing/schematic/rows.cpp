@@ -23,14 +23,14 @@ using namespace measures;
 struct ColumnBlock {
   int finger = 0;           // 0: a stretch at the hand
   double key = 0;           // blocks stand in this order
-  std::size_t segment = 0;  // of a stretch at the hand
-  std::size_t first = 0;    // of its columns
+  std::size_t segment = 0;  // segment of a stretch at the hand
+  std::size_t first = 0;    // first of its columns
   std::size_t columns = 0;
 };
 
 struct Column {
   std::size_t block = 0;
-  std::size_t port = nowhere;  // at its foot; none if it is fixed there
+  std::size_t port = nowhere;  // port at its foot; none if it is fixed there
   double x = 0;
 };
 
@@ -42,7 +42,7 @@ struct Arc {
   std::size_t right = 0;
   std::size_t row = 0;  // 0: the topmost
   std::size_t gap = 0;  // the turn sits between this column and the next
-  double centre = 0;    // of the turn, x
+  double centre = 0;    // x of the turn's centre
   double radius = 0;
 };
 
@@ -72,7 +72,7 @@ class RowPlacement {
   }
 
  private:
-  // How many rows of arcs a column's line passes before it ends.
+  // [column]: number of rows of arcs that its line passes before it ends
   using Reach = std::vector<std::size_t>;
 
   SegmentKind kind(std::size_t segment) const { return net_.segments[segment].kind; }
@@ -92,7 +92,7 @@ class RowPlacement {
 
   bool is_right_strand(std::size_t strand) const { return net_.segments[strand].number % 2 == 0; }
 
-  // Where along the row of fingers a strand stands.
+  // Position of a strand along the row of fingers.
   double position(std::size_t strand) const {
     return net_.segments[strand].finger + (is_right_strand(strand) ? 0.4 : -0.4);
   }
@@ -117,7 +117,7 @@ class RowPlacement {
     return (position(before) + position(after)) / 2;
   }
 
-  // Whether the end of a stretch should stand left of its begin.
+  // True if the end of a stretch should stand left of its begin.
   bool runs_left(std::size_t segment) const {
     const auto [before, after] = strands_near(segment);
     if (before == nowhere && after == nowhere) return false;
@@ -177,7 +177,7 @@ class RowPlacement {
     if (all_.ports[port].role == PortRole::hand_side) add_motor_side(all_.ports[port].twin, column);
   }
 
-  // What hangs on a sheath, as far as the carriage.
+  // Adds everything that hangs on a sheath, as far as the carriage.
   void add_motor_side(std::size_t port, std::size_t column) {
     column_at_[port] = column;
     for (std::size_t i = 0; i < all_.segments.size(); ++i) {
@@ -276,7 +276,8 @@ class RowPlacement {
     }
   }
 
-  // From `top` downward; lines come in along a lane and turn below it. Returns where they end.
+  // Places rows from `top` downward. Lines come in along a lane and turn below it. Returns the
+  // bottom of the rows.
   double place_rows(std::vector<Arc>& arcs, double top) {
     for (std::size_t row = 0;; ++row) {
       std::vector<Arc*> here;
@@ -394,14 +395,14 @@ class RowPlacement {
   const Fittings& all_;
   std::vector<ColumnBlock> blocks_;
   std::vector<Column> columns_;
-  std::vector<std::size_t> column_at_;                  // of each port: whose line leads there
-  std::vector<std::array<std::size_t, 2>> columns_of_;  // of each segment's begin and end
-  std::vector<double> lanes_;                           // of each port of a turn: y
-  std::vector<bool> widened_;  // for each column: whether the gap behind it must hold a turn
+  std::vector<std::size_t> column_at_;                  // [port]: column of its line
+  std::vector<std::array<std::size_t, 2>> columns_of_;  // [segment]: columns of its begin and end
+  std::vector<double> lanes_;                           // [port of a turn]: y
+  std::vector<bool> widened_;  // [column]: true if the gap behind it must hold a turn
   std::vector<Arc> hand_arcs_;
   std::vector<Arc> carriage_arcs_;
   double arch_ = 0;   // top of the stretches at the hand
-  double fixed_ = 0;  // where strands are fixed
+  double fixed_ = 0;  // height at which strands are fixed
   double motor_labels_ = 0;
   double tied_ = 0;
 };

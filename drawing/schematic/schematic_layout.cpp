@@ -18,16 +18,16 @@ using Path = std::vector<Corner>;
 void append(Path& path, const Path& more) { path.insert(path.end(), more.begin(), more.end()); }
 
 struct FingerHeights {
-  double top = 0;     // of the outline
-  double centre = 0;  // of the turn at the tip
+  double top = 0;     // top of the outline
+  double centre = 0;  // centre of the turn at the tip
 };
 
 struct FingerRow {
   std::vector<FingerHeights> fingers;
-  double base = 0;  // where the palm begins
+  double base = 0;  // top of the palm
 };
 
-// Of a hand with three fingers or more, those in the middle are longer.
+// The middle fingers of a hand with three or more are longer.
 double reach_of_finger(int finger, int fingers) {
   constexpr double most = 22;
   if (fingers < 3) return 0;
@@ -198,7 +198,7 @@ class Layouter {
     out_.texts.push_back({name, block_title(block), small_size, Weight::bold, Align::start});
   }
 
-  // Of a turn's half circle.
+  // Centre of a turn's half circle.
   Point centre(std::size_t port) const {
     const Point place = at(port);
     return {(place.x + at(all_.ports[port].twin).x) / 2, place.y};
@@ -230,7 +230,7 @@ class Layouter {
     return path;
   }
 
-  // From a segment's line to its end, or to the middle of the contact there.
+  // Path from a segment's line to its end, or to the middle of the contact there.
   Path inward(std::size_t segment, std::size_t side) const {
     const std::size_t port = all_.segments[segment].port[side];
     if (port == nowhere) return {{moved(places_.loose[segment]), 0}};
@@ -312,8 +312,8 @@ class Layouter {
     }
   }
 
-  // What hangs side by side on one carriage, or on several whose tendons cross, from left to right,
-  // and the room beside it.
+  // Tendons side by side on one carriage, or on several whose tendons cross, and the room beside
+  // them.
   struct Hanging {
     std::set<int> motors;
     double left = 0;

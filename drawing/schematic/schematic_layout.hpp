@@ -23,7 +23,7 @@ namespace reeve::drawing {
 struct DrawnSegment {
   std::string name;
   std::size_t tendon = 0;
-  std::vector<Corner> path;  // in walk order, from contact to contact or to where it ends
+  std::vector<Corner> path;  // points in walk order, from contact to contact or to the tendon's end
   Box label;                 // name and, below it, tension
   Align align = Align::start;
 };
@@ -34,26 +34,26 @@ struct DrawnContact {
   ContactKind kind = ContactKind::tube;
   ContactPlace place = ContactPlace::tip;
   Point centre;
-  double radius = 0;      // of a turn
-  double apex = 1;        // of a turn: 1 if it bulges downward, -1 upward
-  double length = 0;      // of a sheath
-  double arrow_side = 1;  // of a sheath: where there is room for an arrow, right (1) or left (-1)
-  // Whether the walk passes it from left to right; a sheath: downward.
+  double radius = 0;      // radius of a turn
+  double apex = 1;        // turns: 1 if it bulges downward, -1 upward
+  double length = 0;      // length of a sheath
+  double arrow_side = 1;  // sheaths: side with room for an arrow, right (1) or left (-1)
+  // True if the walk passes it from left to right; for a sheath, downward.
   bool forward = true;
 };
 
 enum class EndHold : std::uint8_t {
-  fixed,     // at the hand
-  tied,      // to the carriage
-  anchored,  // at a fingertip
-  block,     // to a block's eye or a bar's hole
+  fixed,     // held at the hand
+  tied,      // held at the carriage
+  anchored,  // held at a fingertip
+  block,     // held at a block's eye or a bar's hole
 };
 
-// Where a tendon ends.
+// End of a tendon.
 struct DrawnEnd {
   EndHold hold = EndHold::fixed;
   Point at;
-  double away = 1;  // what holds it lies below (1) or above (-1)
+  double away = 1;  // the part that holds it lies below (1) or above (-1)
 };
 
 // A floating block: sheaves side by side in one shell, which narrows to the eye of its tail; or a
@@ -61,12 +61,12 @@ struct DrawnEnd {
 struct DrawnBlock {
   bool is_bar = false;
   double apex = 1;           // its tails lie below (1) or above (-1)
-  std::vector<Point> axles;  // of its sheaves
+  std::vector<Point> axles;  // axles of its sheaves
   double sheave = 0;         // their radius
-  std::vector<Point> eyes;   // of beckets, or the ends of the arms
+  std::vector<Point> eyes;   // eyes of beckets, or ends of the arms
   std::vector<Point> tails;  // the eyes of its tails, or the pivot
-  double beam = 0;           // the height of what joins these
-  Box motion;                // where there is room for an arrow that says which way it moves
+  double beam = 0;           // height of the beam that joins these
+  Box motion;                // room for an arrow in its direction of motion
 };
 
 // A carriage. One whose tendons stand apart is drawn in parts; where tendons of several motors
@@ -74,14 +74,14 @@ struct DrawnBlock {
 struct DrawnCarriage {
   int motor = 1;
   Box box;
-  Box arrow;       // of the motor, from top to bottom
+  Box arrow;       // arrow of the motor, from top to bottom
   DrawnText text;  // its place; the text depends on what is shown
 };
 
 struct DrawnFinger {
   Box outline;
   bool held = false;
-  Box object;  // what holds it, if it is held
+  Box object;  // the object that holds it, if it is held
 };
 
 enum class LegendSymbol : std::uint8_t {
@@ -97,7 +97,7 @@ enum class LegendSymbol : std::uint8_t {
   slack,
 };
 
-// What is drawn, so that a legend explains that and nothing else.
+// Parts drawn; the legend explains only these.
 struct DrawnParts {
   bool tubes = false;
   bool bearings = false;
@@ -115,7 +115,7 @@ struct DrawnParts {
 
 struct LegendItem {
   LegendSymbol symbol = LegendSymbol::tube;
-  Box box;  // of the symbol
+  Box box;  // box of the symbol
 };
 
 struct Legend {
@@ -137,7 +137,7 @@ struct SchematicLayout {
   std::vector<DrawnEnd> ends;
   std::vector<DrawnFinger> fingers;
   Box hand;
-  std::vector<DrawnCarriage> carriages;  // from left to right
+  std::vector<DrawnCarriage> carriages;  // sorted from left to right
   std::vector<DrawnText> texts;
   Legend legend;
 };
@@ -147,11 +147,11 @@ struct SchematicFrame {
   std::string subtitle;
   Grasp held;
   bool with_legend = true;
-  bool with_tension = true;  // whether the legend explains what only tensions show
+  bool with_tension = true;  // true if the legend explains marks that only tensions show
   bool with_slack = true;    // among it strands without any
 };
 
-// With the places of this network: for who draws it in several grasps.
+// Uses the given places of this network, so that several grasps share them.
 SchematicLayout layout(const Network& network, const SchematicFrame& frame, const Places& places);
 SchematicLayout layout(const Network& network, const SchematicFrame& frame);
 

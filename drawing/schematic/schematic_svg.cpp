@@ -28,8 +28,8 @@ std::string tension_text(double tension) {
   return tension < 999.5 ? fixed(tension, 0) : fmt::format("{:.0e}", tension);
 }
 
-// What a line of full width stands for: the motor tension, or more where friction, releasing, makes
-// a strand pull harder than the motor.
+// Tension of a line of full width: the motor tension, or more if friction makes a strand pull
+// harder than the motor during release.
 double full_tension(const Schematic& schematic) {
   double most = 1;
   if (schematic.state == nullptr) return most;
@@ -133,7 +133,7 @@ std::string arrows(const Schematic& schematic) {
   return content;
 }
 
-// Which way blocks and bars move.
+// Draws the directions in which blocks and bars move.
 std::string motions(const Schematic& schematic) {
   std::string content;
   if (schematic.state == nullptr) return content;
@@ -256,10 +256,13 @@ std::string subtitle(const GraspView& view, int fingers) {
   const std::vector<int> held = held_fingers(view.grasp);
   std::string text;
   if (!held.empty()) {
-    text = fmt::format("finger{} {} held, ", held.size() > 1 ? "s" : "", fmt::join(held, ", "));
+    text = fmt::format("finger{} {} held", held.size() > 1 ? "s" : "", fmt::join(held, ", "));
   } else if (fingers > 1) {
-    text = "no finger held, ";
+    text = "no finger held";
   }
+  text += locked_words(view.grasp);
+  if (text.starts_with(", ")) text.erase(0, 2);
+  if (!text.empty()) text += ", ";
   text += view.direction == Direction::pull ? "pulling" : "releasing";
   if (view.state.jams && fingers > 0) text += "; jams: the carriage is blocked";
   return text;

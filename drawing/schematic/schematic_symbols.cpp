@@ -64,7 +64,7 @@ Box grown(const Box& box, double by) {
   return {box.left - by, box.top - by, box.right + by, box.bottom + by};
 }
 
-// From the beam to an eye.
+// Draws the arm from the beam to an eye.
 std::string arm(Point eye, double beam) {
   constexpr double half = 2.5;
   return rectangle({eye.x - half, std::min(eye.y, beam), eye.x + half, std::max(eye.y, beam)}, 0,
@@ -216,7 +216,7 @@ std::string straight_arrow(Point from, Point to) {
 std::string hand(const SchematicLayout& layout) {
   constexpr double rounding = 16;
   const Box& palm = layout.hand;
-  // Where a finger stands at the edge, the palm goes on as its side.
+  // The palm goes on as the side of a finger that stands at the edge.
   const double left =
       layout.fingers.empty() || layout.fingers.front().outline.left > palm.left + 1 ? rounding : 0;
   const double right =

@@ -14,7 +14,7 @@ namespace reeve::drawing::symbols {
 // The ink of all that is not filled.
 inline const char* const strokes = " stroke=\"currentColor\" stroke-width=\"1.5\"";
 
-// How what hides the tendons behind it is filled.
+// Fill of symbols that hide the tendons behind them.
 inline const char* const paper = " class=\"reeve-paper\" fill=\"#ffffff\"";
 
 // The half ring on which a tendon of that radius lies; `half` is half its width.
@@ -25,9 +25,9 @@ std::string fixation(const DrawnEnd& end, double width, double depth);
 std::string knot(Point at, double size);
 // A tendon's end at a fingertip.
 std::string anchor(Point at, double radius);
-// What holds a block's sheaves together and narrows to its tail; a bar.
+// The shell of a block's sheaves, which narrows to its tail; or a bar.
 std::string shell(const DrawnBlock& block);
-// The rings at which tendons are tied to it.
+// The rings at which tendons are tied to the block.
 std::string eyes(const DrawnBlock& block);
 // A ball with hatching.
 std::string object(const Box& box);
@@ -41,7 +41,7 @@ std::string straight_arrow(Point from, Point to);
 // The outlines of the palm and all fingers as one.
 std::string hand(const SchematicLayout& layout);
 
-// What they mean.
+// The symbols of the legend with their texts.
 std::string legend(const Legend& legend);
 
 }  // namespace reeve::drawing::symbols

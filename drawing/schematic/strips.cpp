@@ -89,7 +89,7 @@ class Cutting {
     }
   }
 
-  // Where the line's other stretch lies.
+  // Height of the line's other stretch.
   double height_at_bend(const LaneStretch& stretch, std::size_t port) const {
     for (const LaneStretch& other : lanes_.stretches) {
       if (&other == &stretch || other.segment != stretch.segment) continue;
