@@ -1,4 +1,4 @@
-// What a column's name says that it holds, in whatever spelling.
+// Meaning of a column's name, in any spelling.
 //
 //   run, routing, held, direction     text
 //   motor_tension, speed, cycle, temperature, sheath_angle, readings
@@ -32,14 +32,15 @@ namespace reeve::readings {
 // unit.
 struct NameWords {
   std::vector<std::string> words;        // in small letters
-  std::optional<std::string> bracketed;  // as written
+  std::optional<std::string> bracketed;  // text in brackets, as written
 };
 
 NameWords words_of(std::string_view name);
 // The first `count` words as one.
 std::string joined(const NameWords& name, std::size_t count);
 
-// In bytes, of a run, a group or a column: each stands many times in tables and drawings.
+// Limit in bytes for the name of a run, a group or a column: each appears many times in tables and
+// drawings.
 inline constexpr std::size_t longest_name = 200;
 
 // Throws InputError on a longer one.
@@ -57,16 +58,16 @@ enum class DataRole : std::uint8_t {
   sheath_angle,
   tension,
   covariate,
-  readings,   // that a row is the mean of
-  deviation,  // of those
+  readings,   // number of samples that a row is the mean of
+  deviation,  // standard deviation of these samples
   motor_deviation,
-  group,  // named by who reads the file
+  group,  // column that the user names
   no_name,
-  time,  // of a log, as the next
+  time,  // clock of a log, as position
   position,
 };
 
-// Which tension a column is of.
+// Segment whose tension a column holds.
 struct MeasuredPlace {
   Segment segment;
   bool beside = false;  // the motor-side segment at this strand, whatever its letter
@@ -81,23 +82,24 @@ struct ColumnName {
   bool needs_unit = false;   // else it is a covariate
 };
 
-// Nothing of a name that is none of these. Throws InputError of one that looks like a tension's and
-// is none, such as T0_N.
+// Returns nothing for other names. Throws InputError on a name such as T0_N, which looks like a
+// tension's and is none.
 std::optional<ColumnName> column_named(std::string_view name);
-// Nothing of one that cannot be read, either.
+// Returns nothing for a name that cannot be read, either.
 std::optional<ColumnName> try_column_named(std::string_view name);
 
 // Returns the seconds in a unit of that clock; nothing if it is no name of a clock.
 std::optional<double> clock_unit(std::string_view name);
 
 Dimension dimension_of(DataRole role);
-// Whether whoever reads a row needs numbers there; covariates may turn out to be words.
+// True if cells of this role must be numbers. Covariates may turn out to be words.
 bool is_of_numbers(DataRole role);
-// Whether a sensor of force reads it, which has a zero.
+// True if a force sensor reads it. Such a sensor has a zero.
 bool is_of_sensor(DataRole role);
-// As the name is written in docs: motor_tension_N, T1_N, at_T1_N, Ta_sd_N.
+// Returns the name as the docs write it: motor_tension_N, T1_N, at_T1_N, Ta_sd_N.
 std::string plain_name(const ColumnName& name);
-// Whether `text`, which means that, is written as in docs: a clock has several names there.
+// True if `text`, which has this meaning, is written as in the docs. A clock has several names
+// there.
 bool is_plain(std::string_view text, const ColumnName& name);
 
 }  // namespace reeve::readings

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/nearest_name.hpp"
 #include "core/text.hpp"
 
 namespace reeve::readings {
@@ -105,7 +106,7 @@ std::optional<Unit> given_unit_of_all(Dimension dimension, const ReadingOptions&
   return all;
 }
 
-// Nothing where nobody says it. Throws InputError that says what was expected.
+// Returns nothing if no unit is given. Throws InputError that says what was expected.
 std::optional<Unit> unit_of(const DataColumn& column, const ColumnName& named,
                             const std::optional<Unit>& in_name, const std::optional<CsvRow>& units,
                             std::size_t index, const ReadingOptions& options) {
@@ -132,6 +133,15 @@ std::optional<std::string> header_of(const std::string& wanted, const CsvRow& he
 }
 
 }  // namespace
+
+std::string titles_text(const std::vector<CsvComment>& titles) {
+  std::string text = titles.size() == 1 ? "a title above the header is not read: "
+                                        : "titles above the header are not read: ";
+  for (const CsvComment& title : titles) {
+    text += fmt::format("{}'{}'", &title == &titles.front() ? "" : ", ", for_message(title.text));
+  }
+  return text;
+}
 
 std::optional<std::size_t> find_column(const std::vector<DataColumn>& columns, DataRole role) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -199,8 +209,16 @@ void Header::make_covariate(std::size_t column) {
   read_as_[column].clear();
 }
 
+void Header::note_titles() {
+  if (csv_.titles().empty()) return;
+  DataNote note{NoteKind::passed_over, titles_text(csv_.titles()), {}};
+  for (const CsvComment& title : csv_.titles()) note.lines.push_back(title.line);
+  notes_.push_back(std::move(note));
+}
+
 DataColumns Header::finish() {
   constexpr std::size_t most = 30;
+  note_titles();
   std::erase(read_as_, "");
   if (!read_as_.empty()) {
     const std::size_t more = read_as_.size() - std::min(read_as_.size(), most);
@@ -273,7 +291,7 @@ bool Header::has_other_meaning(const std::string& name, std::size_t index) {
 
 std::optional<std::size_t> Header::same_as(const DataColumn& column) const {
   if (column.role == DataRole::no_name) return std::nullopt;
-  // Of several clocks a log has one that goes before.
+  // A log may have several clocks; one of them is used.
   const bool by_name = column.role == DataRole::covariate || column.role == DataRole::time;
   const auto same = std::find_if(columns_.begin(), columns_.end(), [&](const DataColumn& other) {
     return other.role == column.role &&
@@ -293,7 +311,7 @@ void Header::fail_same(std::size_t index, std::size_t first) {
                             for_message(name), first + 1)});
 }
 
-// Nobody may think that something was done with what the file does not have.
+// The user must not think that a missing column had an effect.
 void Header::require_options() {
   const auto require_one = [&](const std::string& name, bool is_there, const std::string& what) {
     if (is_there) return;
@@ -304,19 +322,28 @@ void Header::require_options() {
                        [&](const DataColumn& column) { return column.name == name; });
   };
   for (const auto& [column, meaning] : options_.map) {
-    require_one(column, is_there(column), fmt::format("the column that means {}", meaning));
+    require_one(column, is_there(column),
+                fmt::format("the column that means {}{}", meaning, nearest_column(column)));
   }
   if (options_.group) {
     const std::string& group = group_ ? *group_ : *options_.group;
-    require_one(group, is_there(group), "the column of groups");
+    require_one(group, is_there(group), "the column of groups" + nearest_column(group));
   }
   for (const ColumnUnit& given : options_.units) {
     if (!given.column) continue;
     const bool is_meant =
         std::any_of(columns_.begin(), columns_.end(),
                     [&](const DataColumn& column) { return means(*given.column, column); });
-    require_one(*given.column, is_meant, fmt::format("the column that is in {}", given.unit));
+    require_one(
+        *given.column, is_meant,
+        fmt::format("the column that is in {}{}", given.unit, nearest_column(*given.column)));
   }
+}
+
+std::string Header::nearest_column(const std::string& name) const {
+  std::vector<std::string> names;
+  for (const DataColumn& column : columns_) names.push_back(column.name);
+  return did_you_mean(name, names);
 }
 
 // "" if the column is read as docs say.

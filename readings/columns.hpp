@@ -21,7 +21,7 @@
 
 namespace reeve::readings {
 
-// In reeve's unit.
+// Allowed values, in reeve's unit.
 struct CellRange {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -29,17 +29,20 @@ struct CellRange {
 
 struct DataColumn {
   DataRole role = DataRole::covariate;
-  std::string name;     // as the file has it
-  std::string meaning;  // its name as docs write it; as the file has it where they do not
+  std::string name;     // name in the file
+  std::string meaning;  // its name in the docs, or the name in the file if they have none
   CellRange range = {};
   MeasuredPlace place = {};  // tensions and their deviations only
-  Unit unit = {};            // of the file's numbers
+  Unit unit = {};            // unit of the file's numbers
   bool unit_is_assumed = false;
 };
 
 using ColumnList = std::vector<DataColumn>;  // parallel to the fields of a row
 
 std::optional<std::size_t> find_column(const ColumnList& columns, DataRole role);
+
+// "a title above the header is not read: 'Rig 3'"
+std::string titles_text(const std::vector<CsvComment>& titles);
 
 // True if the text is that column's name, or means the same.
 bool means(const std::string& text, const DataColumn& column);
@@ -55,7 +58,7 @@ struct DataColumns {
   std::vector<DataNote> notes;
 };
 
-// What files of one kind have.
+// Columns and ranges of one kind of file.
 struct FileKind {
   bool (*has)(DataRole);  // columns of other roles are covariates there
   CellRange (*range)(DataRole);
@@ -79,7 +82,7 @@ class Header {
   // Adds a note that the column is a covariate.
   void note_covariate(std::string text);
   void set_role(std::size_t column, DataRole role) { columns_[column].role = role; }
-  // Makes the column what it would be if nobody knew its name.
+  // Makes the column what it would be with an unknown name.
   void make_covariate(std::size_t column);
 
   // Returns the columns, with notes on how names and units were taken.
@@ -92,6 +95,8 @@ class Header {
   std::optional<std::size_t> same_as(const DataColumn& column) const;
   void fail_same(std::size_t index, std::size_t first);
   void require_options();
+  std::string nearest_column(const std::string& name) const;
+  void note_titles();
   std::string told(const DataColumn& column, const ColumnName& named,
                    const std::optional<Unit>& in_name) const;
 

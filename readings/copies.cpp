@@ -23,7 +23,7 @@ constexpr double least_relative_scatter = 0.003;
 // σ over the upper quartile of absolute deviations, if normal. The median is 0 where steps are
 // coarse.
 constexpr double scatter_per_quartile = 0.8693;
-constexpr std::size_t enough_values = 20;  // for the least of their differences to be a step
+constexpr std::size_t enough_values = 20;  // needed to take the least difference as the step
 
 auto kind_of(const Reading& reading) {
   return std::tie(reading.routing, reading.grasp.held, reading.direction);
@@ -52,11 +52,11 @@ double step_of(const std::vector<double>& values) {
   return distinct.size() >= enough_values || decimal == 0 ? least_step(values) : decimal;
 }
 
-// What the sensor of a channel does, in a kind.
+// Sensor of a channel in one kind of rows.
 struct SensorCells {
   double step_N = 0;
-  double scatter = 0;  // relative, about the levels
-  double zeros = 0;    // the share of its readings that are 0
+  double scatter = 0;  // relative scatter about the levels
+  double zeros = 0;    // share of its readings that are 0
 };
 
 std::map<std::size_t, SensorCells> sensors(const KindCells& cells, const PolishedLevels& levels,
@@ -142,7 +142,7 @@ std::vector<std::vector<std::size_t>> classes_of(const MeasuredData& data,
   return result;
 }
 
-// Those of equal readings that were taken one after the other, but for the first of each stretch.
+// Returns equal readings taken one after the other, without the first of each stretch.
 std::set<std::size_t> stretched(const MeasuredData& data, const std::vector<std::size_t>& equal,
                                 const KindReadings& kind) {
   const auto taken = [&](std::size_t place) { return data.readings[equal[place]].taken; };

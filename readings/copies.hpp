@@ -26,8 +26,9 @@ namespace reeve::readings {
 
 struct EqualRows {
   std::vector<std::size_t> copies;         // readings that repeat an earlier one of their run
-  std::vector<std::size_t> copies_across;  // … of another run
-  std::vector<std::size_t> by_chance;      // that equal an earlier one, as steps so coarse let them
+  std::vector<std::size_t> copies_across;  // readings that repeat an earlier one of another run
+  std::vector<std::size_t> by_chance;      // readings that equal an earlier one, as coarse steps
+                                           // allow
 };
 
 // Each list ascending.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/input_file.hpp"
 #include "core/text.hpp"
+#include "readings/csv_header.hpp"
 
 namespace reeve::readings {
 namespace {
@@ -62,7 +62,7 @@ std::string one_line(std::string text) {
 std::string for_message(std::string_view text) {
   constexpr std::size_t most = 40;
   std::size_t end = std::min(text.size(), most);
-  // Not in the middle of a UTF-8 character.
+  // Moves the cut out of the middle of a UTF-8 character.
   while (end < text.size() && end > 0 && (text[end] & '\xC0') == '\x80') --end;
   const std::string shown = one_line(std::string(text.substr(0, end)));
   return end < text.size() ? shown + "…" : shown;
@@ -93,7 +93,17 @@ CsvReader CsvReader::open(const std::filesystem::path& path) {
   return {read_file(path, name), name};
 }
 
+void CsvReader::read_titles(std::size_t header) {
+  while (at_row() && at_ < header) {
+    const std::string_view title = csv_row_at(text_, at_);
+    titles_.push_back({line_, one_line(std::string(trimmed(without_carriage_return(title))))});
+    line_ += static_cast<std::size_t>(std::count(title.begin(), title.end(), '\n')) + 1;
+    at_ = line_begin_ = std::min(at_ + title.size() + 1, text_.size());
+  }
+}
+
 void CsvReader::read_header() {
+  read_titles(header_begin(text_, at_));
   bool found = false;
   while (!found && at_row()) {
     separator_ = find_separator();
@@ -134,7 +144,7 @@ CsvReader::Place CsvReader::place_of(std::size_t at) const {
   return {lines + 1, last == std::string_view::npos ? at + 1 - line_begin_ : before.size() - last};
 }
 
-// What a spreadsheet keeps for itself.
+// Refuses file formats of spreadsheets.
 void CsvReader::require_no_workbook() const {
   const bool is_zip = text_.starts_with("PK\x03\x04");
   if (!is_zip && !text_.starts_with("\xD0\xCF\x11\xE0")) return;
@@ -158,24 +168,19 @@ void CsvReader::require_text() const {
 }
 
 char CsvReader::find_separator() const {
-  std::map<char, std::size_t> counts;  // of the header's characters outside quotes
-  bool quoted = false;
-  for (std::size_t i = at_; i < text_.size() && (quoted || text_[i] != '\n'); ++i) {
-    if (text_[i] == '"') quoted = !quoted;
-    if (!quoted) ++counts[text_[i]];
-  }
-  if (counts[','] > 0 && counts[';'] > 0) {
+  const SeparatorCounts counts = separators_of(csv_row_at(text_, at_));
+  if (counts.is_ambiguous()) {
     fail(here(),
-         fmt::format("the header has {} commas and {} semicolons outside quotes", counts[','],
-                     counts[';']),
+         fmt::format("the header has {} commas and {} semicolons outside quotes", counts.commas,
+                     counts.semicolons),
          "one of them, as separator");
   }
-  if (counts[';'] > 0) return ';';
-  return counts[','] == 0 && counts['\t'] > 0 ? '\t' : ',';
+  return counts.separator();
 }
 
-std::string CsvReader::as_many_as_the_header() const {
-  return fmt::format("{}, as many as the header in line {} has", columns_, header_.line);
+InputFault CsvReader::ragged(Place place, std::size_t fields) const {
+  return fault(place, fmt::format("{} {}", fields, fields == 1 ? "field" : "fields"),
+               fmt::format("{}, as many as the header in line {} has", columns_, header_.line));
 }
 
 // Passes comments and empty lines.
@@ -199,7 +204,8 @@ bool CsvReader::read_row(CsvRow& row) {
   row.line = line_;
   row.ragged.reset();
   std::size_t count = 0;
-  bool blank = true;
+  std::size_t filled = 0;  // up to the last field that is not blank
+  std::optional<Place> beyond_begin;
   std::string beyond;
   do {
     const Place begin = here();
@@ -207,24 +213,21 @@ bool CsvReader::read_row(CsvRow& row) {
     if (kept && count == row.fields.size()) row.fields.emplace_back();
     std::string& field = kept ? row.fields[count] : beyond;
     read_field(field);
-    blank = blank && is_blank(field);
-    if (!kept && !row.ragged && !is_blank(field)) {
-      row.ragged = fault(begin, "a further field", as_many_as_the_header());
-    }
     ++count;
+    if (!is_blank(field)) {
+      filled = count;
+      if (!kept && !beyond_begin) beyond_begin = begin;
+    }
     if (columns_ == 0 && count > max_csv_columns) {
       fail(begin, "a further field", fmt::format("at most {}", max_csv_columns));
     }
   } while (take_separator());
-  if (columns_ != 0 && count < named_) {
-    row.ragged = fault(
-        here(), fmt::format("the row ends after {} {}", count, count == 1 ? "field" : "fields"),
-        as_many_as_the_header());
-  }
+  if (beyond_begin) row.ragged = ragged(*beyond_begin, filled);
+  if (columns_ != 0 && count < named_) row.ragged = ragged(here(), count);
   row.fields.resize(columns_ == 0 ? count : columns_);
   for (std::size_t i = count; i < row.fields.size(); ++i) row.fields[i].clear();
   if (at_ < text_.size()) end_line();
-  return !blank;
+  return filled > 0;
 }
 
 // Leaves the reader at a separator or a line end.

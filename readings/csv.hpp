@@ -1,7 +1,8 @@
 // Reads a CSV file (RFC 4180) row by row, and keeps line numbers, so that whoever reads the fields
 // can name the place of what is wrong.
 //
-//   - The first row is the header; every other row has as many fields as it. Separators behind the
+//   - The first row is the header, but for titles above it (csv_header.hpp); every other row has as
+//   many fields as it. Separators behind the
 //     last field are passed over: fields beyond the header must be blank, and a row may end before
 //     columns that have no name.
 //   - Fields may be quoted ("a ""quoted"" field"), over several lines too. A quote elsewhere in a
@@ -29,15 +30,15 @@
 namespace reeve::readings {
 
 struct CsvRow {
-  std::size_t line = 0;             // where it begins, from 1
-  std::vector<std::string> fields;  // as many as the header has
+  std::size_t line = 0;             // first line, from 1
+  std::vector<std::string> fields;  // one for each column of the header
   // Set if the row has another number of them, and means nothing.
   std::optional<InputFault> ragged;
 };
 
 struct CsvComment {
   std::size_t line = 0;
-  std::string text;  // behind the #
+  std::string text;  // text after the #, or of a title
 };
 
 // 512 MiB. A wrong path (a recording, a device) is refused, not swallowed.
@@ -53,7 +54,9 @@ class CsvReader {
   const std::string& name() const { return name_; }
   char separator() const { return separator_; }
   const CsvRow& header() const { return header_; }
-  // Those passed so far.
+  // Returns the lines above the header that are no comments.
+  const std::vector<CsvComment>& titles() const { return titles_; }
+  // Returns the comments passed so far.
   const std::vector<CsvComment>& comments() const { return comments_; }
 
   // The next row below the header; false at the end. Keeps the memory of `row`. Throws InputError
@@ -70,12 +73,13 @@ class CsvReader {
   InputFault fault(Place place, std::string what, std::string expected) const;
   [[noreturn]] void fail(Place place, std::string what, std::string expected) const;
 
-  std::string as_many_as_the_header() const;
+  InputFault ragged(Place place, std::size_t fields) const;
   Place place_of(std::size_t at) const;
   void require_no_workbook() const;
   void require_text() const;
   char find_separator() const;
   bool at_row();
+  void read_titles(std::size_t header);
   void read_header();
   bool read_row(CsvRow& row);
   void read_field(std::string& field);
@@ -93,23 +97,24 @@ class CsvReader {
   CsvRow header_;
   std::size_t columns_ = 0;  // 0 while the header is read
   std::size_t named_ = 0;    // up to the last column that has a name
+  std::vector<CsvComment> titles_;
   std::vector<CsvComment> comments_;
 };
 
-// Whether a comment marks the data as simulated: it has the word, in any case.
+// True if a comment marks the data as simulated: it has this word, in any case.
 bool says_simulated(std::string_view text);
 
-// The text with what would break a message of one line replaced.
+// Replaces characters that would break a message of one line.
 std::string one_line(std::string text);
 // The same, shortened to some forty bytes.
 std::string for_message(std::string_view text);
-// "in column 'T1_N'": what faults of one column are counted by.
+// Key by which faults of one column are counted: "in column 'T1_N'".
 std::string in_column(std::string_view column);
-// What is wrong with a cell, behind its place, its column and its text; on one line.
+// Fault of a cell, with its place, its column and its text before it; on one line.
 InputError cell_error(const InputError& error, const std::string& file, std::size_t line,
                       std::string_view column, std::string_view text);
 
-// True of NaN, NA, n/a, - and what else stands for a number that is not there, or nothing at all.
+// True for NaN, NA, n/a, - and other words for a missing number, and for an empty text.
 bool is_missing(std::string_view text);
 
 // Numbers in the fields of a CSV file: decimal points, or decimal commas where the separator is no

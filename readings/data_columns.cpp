@@ -33,12 +33,12 @@ CellRange range_of(DataRole role) {
   }
 }
 
-// When and where the carriage was is a covariate of a reading.
+// The time and the position of the carriage are covariates of a reading.
 bool is_of_readings(DataRole role) { return role != DataRole::time && role != DataRole::position; }
 
 constexpr FileKind file_of_readings{is_of_readings, range_of};
 
-// Nobody may think that something was done with what the file does not have.
+// The user must not think that a missing column had an effect.
 void require_noise(Header& header, const ReadingOptions& options) {
   const ColumnList& columns = header.columns();
   for (const ColumnNoise& given : options.noise) {

@@ -1,4 +1,4 @@
-// What the header of a file of measured tensions says: which column holds what, in which unit.
+// Header of a file of measured tensions: role and unit of each column.
 //
 //   run, routing                 required
 //   held, direction              the grasp and which way the carriage moves
@@ -6,7 +6,7 @@
 //   T1_N, T2_N, …                tensions of strands; Ta_N, Tb_N, … of motor-side segments;
 //                                Th1_N, … of stretches at the hand; at_T1_N, … of the motor-side
 //                                segment at that strand; at least one is required
-//   readings, T1_sd_N, …         of how many samples a row is the mean, and their deviation
+//   readings, T1_sd_N, …         number of samples of which a row is the mean, their deviation
 //   anything else                a covariate, which the model does not know
 //
 // Other spellings and units are read too (column_name.hpp); what was made of them is noted.

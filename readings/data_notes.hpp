@@ -1,6 +1,5 @@
-// What looks wrong in data that can be read: repeated rows, tensions in another unit, a motor-side
-// segment with more than the motor gives, rows that were commented out, unknown columns. What is
-// found is added to the notes of the data.
+// Notes on doubtful data that can be read: repeated rows, tensions in another unit, a motor-side
+// segment with more than the motor tension, rows that were commented out, unknown columns.
 #pragma once
 
 #include <vector>

@@ -19,9 +19,9 @@ namespace {
 // A pulled row, its tensions at the strands.
 struct PulledRow {
   std::size_t line = 0;
-  bool assumed = false;  // nothing says that it was pulled
+  bool assumed = false;  // true if nothing says that it was pulled
   double motor_N = 0;
-  std::vector<std::optional<double>> strands_N;  // by channel; nothing of other segments
+  std::vector<std::optional<double>> strands_N;  // [channel]; nothing for other segments
   std::optional<double> beside_sheaths_N;        // Σ, if all are measured
 };
 
@@ -83,7 +83,7 @@ bool breaks_release(const PulledRow& row) {
   return row.beside_sheaths_N.value_or(row.motor_N) < (1 - direction_tolerance) * row.motor_N;
 }
 
-// A cycle of which nobody wrote down where the carriage went back.
+// A cycle without recorded turning points of the carriage.
 bool broken_may_be_released(const std::vector<PulledRow>& rows) {
   std::vector<PulledRow> broken = rows;
   std::erase_if(broken, std::not_fn(breaks_pull));

@@ -17,7 +17,7 @@
 
 namespace reeve::readings {
 
-inline constexpr double direction_tolerance = 0.05;  // of the motor tension
+inline constexpr double direction_tolerance = 0.05;  // share of the motor tension
 inline constexpr double most_broken_rows = 0.2;      // before it is noted
 inline constexpr double most_broken_if_mended = 0.05;
 

@@ -1,5 +1,5 @@
-// All that is wrong with one file, so that it can be mended at once: the first faults in the order
-// of their lines, and how many there are of each kind.
+// All faults of one file, so that the user can fix them at once: the first ones in the order of
+// their lines, and the number of each kind.
 //
 // Memory does not grow with the number of faults.
 #pragma once
@@ -22,7 +22,7 @@ struct LineFault {
 
 class FaultList {
  public:
-  // `kind` is what faults are counted by: "in column 'T1_N'".
+  // Faults are counted by `kind`: "in column 'T1_N'".
   void add(std::size_t line, const std::string& kind, InputFault fault);
   void add(const FaultList& others);
 
@@ -34,7 +34,7 @@ class FaultList {
  private:
   std::string head() const;
 
-  std::vector<LineFault> first_;  // by line
+  std::vector<LineFault> first_;  // sorted by line
   std::map<std::string, std::size_t> kinds_;
   std::size_t count_ = 0;
 };

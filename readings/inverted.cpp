@@ -29,8 +29,8 @@ class SignCount {
   std::size_t below_ = 0;
 };
 
-// Of rows alike but for the load, about their own means: what arrives of a load depends on all
-// else.
+// Statistics of rows that differ only in the load, about their own means. The share of the load
+// that arrives depends on everything else.
 struct LoadedRows {
   double rows = 0;
   double mean_load = 0, mean_reading = 0;
@@ -49,8 +49,8 @@ struct LoadedRows {
   }
 };
 
-// By the mean correlation over the groups, of which each has a size of its own; of two rows it
-// would be ±1. Noise and friction leave far more than -0.5 of it, a drifting zero far less.
+// Uses the mean correlation over the groups, weighted by their sizes; two rows would give ±1. Noise
+// and friction leave far more than -0.5 of it, a drifting zero far less.
 bool falls_with_load(const std::vector<LoadedRows>& groups) {
   double sum = 0;
   double weights = 0;
@@ -100,7 +100,7 @@ bool is_inverted(const MeasuredData& data, const std::vector<KindCells>& kinds,
 
 double size_of(double tension_N) { return std::isnan(tension_N) ? 0 : std::abs(tension_N); }
 
-// Of each sample.
+// Returns the load of each sample.
 std::vector<double> what_pulls(const LoggedSeries& series, const LoggedSignal& signal) {
   const LoggedSignal& motor = series.motor_tension_N;
   std::vector<double> loads_N(series.size(), 0);

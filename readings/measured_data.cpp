@@ -84,7 +84,7 @@ void note_groups(MeasuredData& data) {
   data.notes.push_back({NoteKind::not_compared, std::move(text), std::move(lines)});
 }
 
-// By channel, whether it has such a reading.
+// [channel]: true if it has such a reading.
 std::vector<bool> channels_with(const MeasuredData& data, bool (*is)(double tension_N)) {
   std::vector<bool> result(data.channels.size(), false);
   for (const Reading& reading : data.readings) {

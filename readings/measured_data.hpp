@@ -23,7 +23,7 @@ namespace reeve::readings {
 
 // A column of tensions.
 struct Channel {
-  std::string name;  // of the segment: T1, a, h1
+  std::string name;  // name of the segment: T1, a, h1
   Segment segment;
 };
 
@@ -31,16 +31,16 @@ struct MeasuredRouting {
   std::string word;
   Routing routing;
   Network network;
-  // Parallel to the channels: which of the network's segments each is, if it has it.
+  // Parallel to the channels: index of its segment in the network, if it has it.
   std::vector<std::optional<std::size_t>> segments;
 };
 
 struct Reading {
   std::size_t line = 0;
-  std::size_t taken = 0;             // its place in the order in which readings were taken
-  std::size_t run = 0;               // in MeasuredData::runs
-  std::size_t routing = 0;           // in MeasuredData::routings
-  std::optional<std::size_t> group;  // in MeasuredData::groups
+  std::size_t taken = 0;             // place in the order in which readings were taken
+  std::size_t run = 0;               // index into MeasuredData::runs
+  std::size_t routing = 0;           // index into MeasuredData::routings
+  std::optional<std::size_t> group;  // index into MeasuredData::groups
   Grasp grasp;
   Direction direction = Direction::pull;
   bool direction_assumed = false;  // the file does not say it
@@ -67,14 +67,14 @@ struct MeasuredData {
   std::vector<std::string> covariates;
   std::vector<Reading> readings;
   std::vector<DataNote> notes;
-  // Where somebody knows it; parallel to the channels, or empty.
+  // Known noise of each channel, parallel to the channels; empty if none is known.
   std::vector<std::optional<KnownNoise>> known_noise;
   std::optional<KnownNoise> known_motor_noise;
 };
 
-// Whatever is known of the noise of a channel; nothing if that has to be estimated.
+// Returns the known noise of a channel; nothing if it must be estimated.
 std::optional<KnownNoise> known_noise(const MeasuredData& data, std::size_t channel);
-// N, of a reading's motor tension: what it may be off; 0 where nobody says so.
+// Returns the standard deviation of a reading's motor tension, N; 0 if unknown.
 double motor_deviation(const MeasuredData& data, const Reading& reading);
 
 // Parallel to the channels: whether one reads below 0 anywhere, as a load cell that drifts does.

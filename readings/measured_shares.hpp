@@ -13,16 +13,16 @@
 namespace reeve::readings {
 
 struct MeasuredShares {
-  std::size_t routing = 0;  // in MeasuredData::routings
+  std::size_t routing = 0;  // index into MeasuredData::routings
   Grasp grasp;
   std::size_t readings = 0;
-  std::vector<double> mean;  // of T1 … T2n
+  std::vector<double> mean;  // means for T1 … T2n
   // Standard deviation over the readings; empty if there is only one.
   std::vector<double> deviation;
 };
 
 struct SharesOfData {
-  std::vector<MeasuredShares> groups;  // in the order of the file
+  std::vector<MeasuredShares> groups;  // sorted as in the file
   std::vector<DataNote> notes;         // on readings that are in no group
 };
 

@@ -1,4 +1,4 @@
-// What whoever reads the results should know about the data: noted, never mended silently.
+// Notes on the data for whoever reads the results. Data are never changed silently.
 #pragma once
 
 #include <array>
@@ -20,31 +20,31 @@ enum class NoteKind : std::uint8_t {
   units,                   // tensions that no sheath or no hand explains
   covariate,               // a column that the model does not know
   comment,                 // comment lines below the header, which may be rows switched off
-  column_names,            // how names and units of columns were taken, if not as docs write them
+  column_names,            // names and units of columns, if not as the docs write them
   passed_over,             // rows and columns that have no readings
   tare,                    // zeros that were taken off
-  known_noise,             // what readings are told to scatter by
-  assumed,                 // what the file leaves open
+  known_noise,             // scatter of readings that the user gave
+  assumed,                 // facts that the file leaves open
   not_as_pulled,           // tensions that no pulling carriage gives
-  letters,                 // of segments that another source may use otherwise
+  letters,                 // letters of segments that another source may use otherwise
   outlier,                 // cells far from all others of their kind
   below_zero,              // tensions that a slack strand or a drifted zero gives
   inverted,                // channels that read the more below zero, the more is pulled
   jams,                    // grasps in which the carriage is blocked (comparison.hpp)
   not_compared,            // values that there is nothing to compare with (comparison.hpp)
-  clock,                   // of a time series: set back (steady_readings.hpp)
-  no_direction,            // of a time series: it moves, and may pull or release
-  no_motion,               // of a time series: it does not say when the carriage moves
-  groups_differ,           // what is said of all groups together does not hold of each
+  clock,                   // time series: the clock is set back (steady_readings.hpp)
+  no_direction,            // time series: the motion may be a pull or a release
+  no_motion,               // time series: nothing says when the carriage moves
+  groups_differ,           // a finding for all groups together that does not hold for each
   runs_of_groups,          // runs of one name in several groups
   outlier_forecast,        // held-out readings that the model is far from (outlier_forecasts.hpp)
   other_direction,         // rows that read as the other direction (other_direction.hpp)
   outlier_groups,          // readings far off, of one channel in some runs (outlier_groups.hpp)
-  not_following,           // of a time series: a tension stays where the load changes
-  reversed,                // of a time series: pulling looks like releasing
-  against_motion,          // of a time series: its column direction says otherwise than it moves
-  sparse,                  // of a time series: tensions that too few samples have
-  silent_run,              // of a run in which no sensor says anything (silent_runs.hpp)
+  not_following,           // time series: a tension stays the same while the load changes
+  reversed,                // time series: pulling looks like releasing
+  against_motion,          // time series: its column direction contradicts its motion
+  sparse,                  // time series: tensions that too few samples have
+  silent_run,              // a run without any sensor signal (silent_runs.hpp)
   outside_law,             // beyond the range that a law of the model was seen in
 };
 

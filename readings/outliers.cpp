@@ -22,7 +22,7 @@ std::optional<double>& value(MeasuredData& data, const KindCell& cell) {
                                              : reading.motor_tension_N;
 }
 
-// How far the cells of one channel usually are from their levels.
+// Distances of one channel's cells from their levels.
 struct CellSpread {
   std::vector<double> logs;
   std::vector<double> newtons;
@@ -54,7 +54,7 @@ void add_far_cells(const KindCells& cells, std::size_t motor, std::vector<FarCel
     for (const KindCell& cell : cells) {
       const double expected_N = levels.expected_N(cell);
       if (cell.channel != channel || !(expected_N > 0)) continue;
-      // Of what is below zero, the size says how far it is: a zero that drifts is no slip.
+      // A cell below zero is far only if its size is too large: a drifting zero is no slip.
       const double off = std::log(std::abs(cell.value_N) / expected_N);
       const bool is_far = cell.value_N > 0 ? std::abs(off) > log_bound : off > log_bound;
       if (is_far && std::abs(cell.value_N - expected_N) > newton_bound) {
@@ -64,7 +64,7 @@ void add_far_cells(const KindCells& cells, std::size_t motor, std::vector<FarCel
   }
 }
 
-// Whether more than half of a row, or of a run's channel, is far.
+// Finds rows, and channels of runs, of which more than half of the cells are far.
 class Patterns {
  public:
   Patterns(const MeasuredData& data, const std::vector<KindCells>& all,

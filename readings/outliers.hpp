@@ -18,7 +18,7 @@ namespace reeve::readings {
 inline constexpr double outlier_factor = 5;
 inline constexpr double outlier_deviations = 20;
 inline constexpr double outlier_steps = 10;
-inline constexpr double most_outliers = 0.02;  // of all cells; one in any case
+inline constexpr double most_outliers = 0.02;  // share of all cells; one cell is always allowed
 
 // Makes far cells missing, and takes out rows that have no tension left. A note names lines,
 // channels, values and what the others read.

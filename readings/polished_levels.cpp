@@ -18,7 +18,7 @@ constexpr int polishing_passes = 4;
 // Channels that read nothing in many rows: slack, or behind a contact that lets nothing through.
 // What they read else is noise, and says nothing of the load.
 std::set<std::size_t> without_load(const KindCells& cells) {
-  constexpr std::size_t most_zeros = 5;  // of as many cells more than one
+  constexpr std::size_t most_zeros = 5;  // no load if more than one reading in this many is 0
   std::map<std::size_t, std::pair<std::size_t, std::size_t>> counts;  // all, and those of nothing
   for (const KindCell& cell : cells) {
     auto& [all, nothing] = counts[cell.channel];

@@ -1,4 +1,4 @@
-// What each cell should read by all others of its kind: the rows of one routing, grasp and
+// Expected value of each cell, from all others of its kind: the rows of one routing, grasp and
 // direction.
 //
 //   ln T(row, channel) ≈ s(row) + l(channel)
@@ -26,7 +26,7 @@ struct KindCell {
   double value_N = 0;
 };
 
-// By the order of the rows; in a row the motor tension is the last.
+// Sorted by row; the motor tension is the last of a row.
 using KindCells = std::vector<KindCell>;
 
 // The cells of each routing, grasp and direction.

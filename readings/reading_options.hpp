@@ -1,4 +1,4 @@
-// What the user says about a file of readings besides what stands in it.
+// Options that the user gives with a file of readings.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace reeve::readings {
 
-// What is known of how a channel's readings scatter, before any data are seen: a data sheet's
-// accuracy, a calibration, a dead weight.
+// Known scatter of a channel's readings, before any data are seen: from a data sheet's accuracy, a
+// calibration, a dead weight.
 //
 //   sd² = absolute² + (relative T)²
 //
-// of a tension T that the sensor should read. Both are 0 of what is exact, such as the force of a
-// weight that hangs at the far end of a bench.
+// T is the tension that the sensor should read. Both parts are 0 if it is exact, such as the force
+// of a weight that hangs at the far end of a bench.
 struct KnownNoise {
   double relative = 0;
   double absolute_N = 0;
@@ -26,8 +26,8 @@ struct KnownNoise {
 // "2 % and 0.3 N", "exact".
 std::string noise_text(const KnownNoise& noise);
 
-// Of one column of tensions, in any name that it may have (column_name.hpp), or of the
-// motor tension: "motor", "T1", "Ta", "at_T1".
+// Noise of one column of tensions, by any of its names (column_name.hpp), or of the motor tension:
+// "motor", "T1", "Ta", "at_T1".
 struct ColumnNoise {
   std::string column;
   KnownNoise noise;
@@ -42,7 +42,7 @@ struct ColumnMeaning {
   std::string meaning;
 };
 
-// Of one column, or of all tensions.
+// Unit of one column, or of all tensions.
 struct ColumnUnit {
   std::optional<std::string> column;
   std::string unit;
@@ -53,9 +53,13 @@ struct ReadingOptions {
   std::vector<ColumnUnit> units;
   std::optional<std::string> group;  // the column whose text groups rows: a winch, an operator
   std::vector<ColumnNoise> noise{};
-  // What messages advise: how whoever reads the file calls `map`, and `units`.
+  // Names of the user's options, for the advice in messages: for `map` and for `units`.
   std::string map_option{};
   std::string unit_option{};
+  // The option that guesses the meanings of a log's columns.
+  std::string guess_option{};
+  // The option that names the routing of a log without such a column. Empty if it was given.
+  std::string routing_option{};
 };
 
 // "Kraft Motor=motor_tension_N". Throws InputError.

@@ -70,7 +70,7 @@ std::optional<DataNote> by_clock(const MeasuredData& data, std::size_t clock) {
                   data.readings.size(), data.covariates[clock], usual)};
 }
 
-// Of the motor tension, or of all tensions of the row.
+// Share of the motor tension, or of the sum of the row's tensions.
 double share_of_load(const Reading& reading, std::size_t channel) {
   double load_N = reading.motor_tension_N.value_or(0);
   if (!reading.motor_tension_N) {

@@ -1,7 +1,7 @@
-// Whether a file of readings is a logger's time series: rows that a clock has written, whose noise
-// goes on from row to row, so that thousands of them say no more than some tens of readings.
+// Recognises a logger's time series in a file of readings: rows that a clock has written. Their
+// noise goes on from row to row, so thousands of them say no more than some tens of readings.
 //
-// It is one if
+// A file is a time series if
 //   - it has a clock (column_name.hpp) and 200 rows or more, and within the runs 97 % of the
 //     steps of the clock are within a fifth of their median; or 100 rows or more, every 0.05 s or
 //     faster;

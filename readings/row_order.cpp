@@ -31,7 +31,7 @@ void rearrange(std::vector<T>& all, const std::vector<std::size_t>& order) {
   all = std::move(result);
 }
 
-// For each old place its new one.
+// [old place]: new place.
 std::vector<std::size_t> new_places(const std::vector<std::size_t>& order) {
   std::vector<std::size_t> places(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) places[order[i]] = i;
@@ -106,7 +106,7 @@ struct TimeSpan {
   double last = -std::numeric_limits<double>::infinity();
 };
 
-// Of each run among the runs.
+// Returns the place of each run among the runs.
 std::vector<std::size_t> places_of_runs(const MeasuredData& data, std::size_t clock) {
   std::vector<TimeSpan> spans(data.runs.size());
   for (const Reading& reading : data.readings) {
@@ -124,7 +124,8 @@ std::vector<std::size_t> places_of_runs(const MeasuredData& data, std::size_t cl
   return new_places(order);
 }
 
-// Without the zeros before it; none if the text begins with another character.
+// Takes a number off the text and returns it without leading zeros. Returns an empty text if the
+// text begins with another character.
 std::string_view take_number(std::string_view& text) {
   std::size_t end = 0;
   while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end])) != 0) ++end;
@@ -147,7 +148,7 @@ bool natural_less(std::string_view a, std::string_view b) {
       continue;
     }
     if (x.empty() != y.empty()) return !x.empty();
-    // As the same numbers on every machine, whatever the sign of its char.
+    // The cast gives the same order on every machine, whatever the sign of its char.
     if (a.front() != b.front()) {
       return static_cast<unsigned char>(a.front()) < static_cast<unsigned char>(b.front());
     }

@@ -18,7 +18,7 @@ namespace reeve::readings {
 
 MeasuredData in_order_of_contents(MeasuredData data);
 
-// Whether a comes before b, digits in a row being one number.
+// True if a comes before b; digits in a row count as one number.
 bool natural_less(std::string_view a, std::string_view b);
 
 // The covariate that is a clock, which every row has.

@@ -58,7 +58,8 @@ class RoutingTable {
   std::size_t count() const { return routings_.size(); }
   const MeasuredRouting& operator[](std::size_t index) const { return routings_[index]; }
   const std::vector<Channel>& channels() const { return channels_; }
-  // Of a column of tensions or of deviations; nothing if the routing has no such segment.
+  // Returns the channel of a column of tensions or deviations. Returns nothing if the routing has
+  // no such segment.
   std::optional<std::size_t> channel(std::size_t routing, std::size_t column) const {
     return of_columns_[routing][column];
   }
@@ -119,7 +120,7 @@ class RoutingTable {
   std::vector<MeasuredRouting> routings_;
   std::map<std::string, std::size_t, std::less<>> by_text_;
   std::vector<Channel> channels_;
-  std::vector<std::vector<std::optional<std::size_t>>> of_columns_;  // by routing, by column
+  std::vector<std::vector<std::optional<std::size_t>>> of_columns_;  // [routing][column]
 };
 
 // The first ones: a message has one line.
@@ -136,7 +137,7 @@ std::string segment_names(const Network& network) {
 struct CovariateColumn {
   std::size_t column = 0;
   std::size_t numbers = 0;
-  FaultList faults;  // what is no number
+  FaultList faults;  // cells that are no number
 
   bool is_of_words() const { return faults.count() > numbers; }
 };
@@ -193,7 +194,7 @@ class RowReader {
   }
 
  private:
-  // Nothing of a column that the file does not have, or of a cell that cannot be read.
+  // Returns nothing if the file has no such column, or if the cell cannot be read.
   template <typename Action>
   auto word(const CsvRow& row, DataRole role, Action action)
       -> std::optional<decltype(action(std::string_view{}))> {

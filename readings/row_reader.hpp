@@ -6,8 +6,8 @@
 
 namespace reeve::readings {
 
-// All that is wrong with a row goes into the list of faults; what the readings are worth then, this
-// does not say.
+// Reads all rows. Faults of a row go to the list of faults; the caller decides if the readings are
+// still of use.
 MeasuredData read_rows(CsvReader& csv, const Beginning& beginning,
                        const std::vector<DataColumn>& columns, const RoutingResolver& resolve,
                        const ReadingOptions& options, FaultList& faults);

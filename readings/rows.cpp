@@ -41,7 +41,7 @@ void add_repeated_headers(const CsvReader& csv, const std::vector<std::size_t>& 
                           "have names of their own"});
 }
 
-// What a spreadsheet leaves of nothing (some 1e-16) may stay; the square of far less is no number.
+// A spreadsheet's rounding of 0 (some 1e-16) may stay; the square of far less is no number.
 void require_measurable(double tension_N) {
   constexpr double least_N = 1e-30;
   if (tension_N == 0 || std::abs(tension_N) >= least_N) return;
@@ -98,7 +98,7 @@ Grasp read_held(std::string_view text, int fingers) {
   held.erase(std::remove(held.begin(), held.end(), ' '), held.end());
   if (is_missing(held) || held == "none") return {};
   if (fingers == 0) throw InputError({.expected = "nothing: the routing has no fingers"});
-  // As core writes it: "1,2".
+  // grasp_named reads the form of core: "1,2".
   if (const auto grasp = grasp_named(held, fingers)) return *grasp;
   throw InputError(
       {.expected = fmt::format("nothing (none held), or finger numbers from 1 to {}, each "

@@ -37,14 +37,14 @@ struct Unit {
   }
 };
 
-// Of any spelling (lbf, LBS, °C), in brackets or without; nothing of what is no unit of that
-// dimension.
+// Finds a unit in any spelling (lbf, LBS, °C), with or without brackets. Returns nothing if the
+// text is no unit of that dimension.
 std::optional<Unit> find_unit(std::string_view text, Dimension dimension);
 // True if the text is a unit of some dimension.
 bool is_unit(std::string_view text);
 // "[N]" → "N"; without blanks at its ends.
 std::string_view without_brackets(std::string_view text);
-// The one that reeve computes in.
+// Returns the unit that reeve computes in.
 Unit own_unit(Dimension dimension);
 // "N, mN, …"
 std::string unit_names(Dimension dimension);

@@ -18,7 +18,7 @@ double sum_of_squares(std::span<const double> values) {
   return sum;
 }
 
-// Of stretches of variance 1 each.
+// Autocorrelation pooled over stretches, each scaled to variance 1.
 class PooledAutocorrelation {
  public:
   explicit PooledAutocorrelation(std::vector<std::vector<double>> residuals)
@@ -41,7 +41,7 @@ class PooledAutocorrelation {
     return known_[lag].correlation;
   }
 
-  // What the line has taken of it, over σ² τ.
+  // Returns the autocovariance that the fitted line removes at this lag, over σ² τ.
   double taken(std::size_t lag) {
     at(lag);
     return known_[lag].taken;
@@ -74,7 +74,7 @@ class PooledAutocorrelation {
   std::vector<Lag> known_;
 };
 
-// By the τ of the round before.
+// Returns the next τ, with the correction by the τ of the round before.
 double next_time(PooledAutocorrelation& correlation, double time) {
   const std::size_t lags = std::max<std::size_t>(2, correlation.longest() / least_pairs_share);
   const double variance = 1 / (1 - std::min(0.5, time * correlation.taken(0)));

@@ -1,5 +1,5 @@
-// How many independent readings a stretch of samples is worth, whose noise goes on from one sample
-// to the next: n / τ, with the correlation time in samples
+// Number of independent readings in a stretch of samples whose noise goes on from one sample to the
+// next: n / τ, with the correlation time in samples
 //
 //   τ = 1 + 2 Σ_k ρ_k      (k = 1, 2, …; ρ_k: autocorrelation at lag k)
 //

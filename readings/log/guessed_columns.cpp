@@ -117,7 +117,9 @@ class ColumnGuess {
 
   GuessedColumn tension() const {
     const GuessedColumn found = named_tension();
-    return found.meaning.empty() ? found : in_unit_of(found.meaning, Dimension::force);
+    if (found.meaning.empty()) return found;
+    const GuessedColumn read = in_unit_of(found.meaning, Dimension::force);
+    return read.kind == GuessKind::guessed ? found : read;
   }
 
   GuessedColumn named_tension() const {
@@ -128,7 +130,12 @@ class ColumnGuess {
           "a tension, but of which strand? Strands are T1, T2, …; the motor's pull is "
           "motor_tension");
     }
-    return guessed("T" + *number);
+    if (letters_.find("finger") == std::string::npos) return guessed("T" + *number);
+    const auto strand = 2 * std::stoul(number->substr(0, 3)) - 1;
+    GuessedColumn column = guessed(fmt::format("T{}", strand));
+    column.reason =
+        fmt::format("guessed: one strand of finger {}; the other is T{}", *number, strand + 1);
+    return column;
   }
 
   GuessedColumn in_unit_of(const std::string& meaning, Dimension dimension) const {
@@ -143,7 +150,7 @@ class ColumnGuess {
   std::string unit_;
 };
 
-// A row of units below names that nobody knows yet.
+// A row of units below names that are still unknown.
 bool has_units_alone(const CsvRow& row) {
   bool any = false;
   for (const std::string& field : row.fields) {
@@ -217,6 +224,7 @@ LogGuess guess_columns(const std::filesystem::path& path, const ReadingOptions& 
   CsvReader csv = CsvReader::open(path);
   LogGuess result;
   result.separator = csv.separator();
+  result.titles = csv.titles();
   FaultList faults;
   Beginning beginning = read_beginning(csv, options, faults);
   if (beginning.first && has_units_alone(*beginning.first)) {

@@ -12,26 +12,28 @@
 #include <string>
 #include <vector>
 
+#include "readings/csv.hpp"
 #include "readings/reading_options.hpp"
 
 namespace reeve::readings {
 
 enum class GuessKind : std::uint8_t {
-  known,    // its name says it, or the user
-  guessed,  // to be confirmed
+  known,    // known from its name, or from the user
+  guessed,  // guessed; the user must confirm it
   unknown,  // a covariate
 };
 
 struct GuessedColumn {
-  std::string name;     // as the file has it
+  std::string name;     // name in the file
   std::string meaning;  // without a unit, which the name or the row of units has; "" if unknown
   GuessKind kind = GuessKind::unknown;
-  std::string reason;  // why it is not what it looks like; usually ""
+  std::string reason;  // reason against its apparent meaning; usually ""
 };
 
 struct LogGuess {
   char separator = ',';
-  std::vector<GuessedColumn> columns;                // with a name, in the order of the file
+  std::vector<CsvComment> titles;                    // lines above the header
+  std::vector<GuessedColumn> columns;                // named columns, in the order of the file
   std::vector<std::vector<std::string>> first_rows;  // cells of these columns, as written
 
   // The map has the meanings that the user gave, and those that are guessed.

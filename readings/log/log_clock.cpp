@@ -49,7 +49,8 @@ std::vector<ClockStamp> stamps_of(const std::vector<double>& time_s) {
   return stamps;
 }
 
-// Of a sample, up to the next stamp; not above 0 where the clock is set back.
+// Returns the step of one sample for each stamp, up to the next stamp. It is not above 0 if the
+// clock is set back.
 std::vector<double> steps_of(const std::vector<ClockStamp>& stamps,
                              const std::vector<double>& time_s) {
   std::vector<double> steps;
@@ -81,7 +82,7 @@ void spread_repeated_times(LoggedSeries& series) {
            repeats, time_s.size())});
 }
 
-// Of a clock that counts seconds since 1970, as most do that show a date.
+// Year of a clock that counts seconds since 1970, as most clocks with a date do.
 double year_at(double time_s) { return 1970 + time_s / (365.2425 * 86400); }
 
 void doubt_of_seconds(LoggedSeries& series, const std::string& clock, double step_s,
@@ -101,7 +102,7 @@ void doubt_of_seconds(LoggedSeries& series, const std::string& clock, double ste
   series.notes.push_back({NoteKind::clock, text});
 }
 
-// By the unit that it was read in.
+// The advice depends on the unit of the clock.
 std::string advice_on_unit(const DataColumn& clock, const ReadingOptions& options) {
   if (clock.unit.factor >= 1) {
     return "If it counts days, as spreadsheets do, multiply it by 86400, which makes seconds";

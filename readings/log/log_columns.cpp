@@ -26,13 +26,13 @@ CellRange range_in_log(DataRole role) {
 
 constexpr FileKind log_of_a_rig{[](DataRole) { return true; }, range_in_log};
 
-// What samples are averaged to has columns of its own.
+// True for the roles of averaged rows, which samples do not have.
 bool is_of_means(DataRole role) {
   return role == DataRole::readings || role == DataRole::deviation ||
          role == DataRole::motor_deviation;
 }
 
-// Whoever reads the samples does more with it than to average it, or to cut where it changes.
+// True if samples need it for more than an average or a cut where it changes.
 bool is_used(const DataColumn& column) {
   switch (column.role) {
     case DataRole::tension:
@@ -46,8 +46,8 @@ bool is_used(const DataColumn& column) {
   }
 }
 
-// What the user names goes before what docs name, and that before others: first those that say
-// their unit.
+// Rank of a clock, greatest first: named by the user, named as in the docs, other names with a
+// unit, other names.
 int rank_of_clock(const DataColumn& column) {
   const auto named = try_column_named(column.name);
   if (!named || named->role != DataRole::time) return 3;
@@ -70,15 +70,25 @@ std::string names_of(const ColumnList& columns) {
   return list;
 }
 
-// It may be there under another name.
-std::string clock_or_its_name(const ColumnList& columns, const std::string& map_option) {
-  const std::string names = names_of(columns);
-  if (map_option.empty() || names.empty()) return clock_names;
-  return fmt::format("{}; it has {}, and {} 'COLUMN=time_s' says which of them is one", clock_names,
-                     names, map_option);
+// Returns the advice that leads from a column which is there under another name to its meaning.
+std::string way_to_meaning(const ReadingOptions& options, const std::string& meaning) {
+  std::string text;
+  if (!options.map_option.empty()) {
+    text = fmt::format("; name it with {} 'COLUMN={}'", options.map_option, meaning);
+  }
+  if (!options.guess_option.empty()) {
+    text += fmt::format("; {} proposes a meaning for each column", options.guess_option);
+  }
+  return text;
 }
 
-void choose_clock(Header& header, const std::string& map_option) {
+std::string clock_or_its_name(const ColumnList& columns, const ReadingOptions& options) {
+  const std::string names = names_of(columns);
+  if (options.map_option.empty() || names.empty()) return clock_names;
+  return fmt::format("{}; it has {}{}", clock_names, names, way_to_meaning(options, "time_s"));
+}
+
+void choose_clock(Header& header, const ReadingOptions& options) {
   const ColumnList& columns = header.columns();
   int highest = 0;
   for (const DataColumn& column : columns) {
@@ -96,7 +106,7 @@ void choose_clock(Header& header, const std::string& map_option) {
   if (clocks == 1) return;
   header.fail({.what = fmt::format("the header has {} column of time",
                                    clocks == 0 ? "no" : "more than one"),
-               .expected = clocks == 0 ? clock_or_its_name(columns, map_option) : clock_names});
+               .expected = clocks == 0 ? clock_or_its_name(columns, options) : clock_names});
 }
 
 void refuse_columns_of_means(Header& header) {
@@ -110,7 +120,7 @@ void refuse_columns_of_means(Header& header) {
 }
 
 // One tension alone can be compared with nothing.
-void require_comparable(Header& header) {
+void require_comparable(Header& header, const ReadingOptions& options) {
   if (header.has_bad_column()) return;
   const ColumnList& columns = header.columns();
   const auto tensions = std::count_if(columns.begin(), columns.end(), [](const DataColumn& column) {
@@ -121,7 +131,15 @@ void require_comparable(Header& header) {
                                      : "the header has one column of tensions",
                .expected = "motor_tension_N and at least one such as T1_N (strand), Ta_N "
                            "(motor-side segment) or Th1_N (stretch at the hand), or two "
-                           "without it"});
+                           "without it" +
+                           way_to_meaning(options, "T1_N")});
+}
+
+void require_routing(Header& header, const ReadingOptions& options) {
+  if (options.routing_option.empty() || header.has(DataRole::routing)) return;
+  header.fail({.what = "the header has no column 'routing'",
+               .expected = fmt::format("a routing such as M-1-T-2-F in each row, or given by {}",
+                                       options.routing_option)});
 }
 
 constexpr std::array words_of_motion{"position", "pos",          "speed", "velocity",
@@ -209,12 +227,13 @@ void require_no_missed_tension(Header& header) {
 DataColumns read_log_columns(const CsvReader& csv, const std::optional<CsvRow>& units,
                              const ReadingOptions& options, FaultList& faults) {
   Header header(csv, units, options, log_of_a_rig, faults);
-  choose_clock(header, options.map_option);
+  choose_clock(header, options);
   refuse_columns_of_means(header);
   for (std::size_t i = 0; i < header.columns().size(); ++i) {
     if (!is_used(header.columns()[i])) header.set_role(i, DataRole::covariate);
   }
-  require_comparable(header);
+  require_comparable(header, options);
+  require_routing(header, options);
   require_no_missed_motion(header);
   require_no_missed_tension(header);
   return header.finish();

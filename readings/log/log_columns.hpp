@@ -1,4 +1,4 @@
-// What the header of a logger's file says: which column holds what.
+// Header of a logger's file: role and unit of each column.
 //
 //   time_s, time_ms, t, timestamp, …   the clock, required
 //   position_mm, speed_mm_s            how the carriage moves

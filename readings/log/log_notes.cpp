@@ -16,12 +16,12 @@ constexpr double of_a_median = 1.5707963267948966;  // π/2: its variance over t
 struct MedianLoad {
   std::size_t readings = 0;
   double median_N = 0;
-  double variance = 0;  // of the median, N²
+  double variance = 0;  // variance of the median, N²
 };
 
 MedianLoad median_load(const std::vector<SteadyReading>& readings, Direction direction) {
   std::vector<double> loads_N;
-  std::vector<double> variances;  // of each
+  std::vector<double> variances;  // variance of each load
   for (const SteadyReading& reading : readings) {
     const auto& load = reading.motor_tension_N;
     if (reading.direction != direction || !load) continue;

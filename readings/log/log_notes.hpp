@@ -1,4 +1,4 @@
-// What a log says of itself that does not go together, or is less than it seems.
+// Notes on a log's contradictions and gaps.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@
 
 namespace reeve::readings {
 
-// What a log's column `direction` says, beside how the carriage moves. A position may count the
-// other way, and then motion and column differ throughout; but where within one run the column says
-// one direction of both motions, it is wrong of one of them.
+// Compares a log's column `direction` with the motion of the carriage. A position may count the
+// other way: motion and column then differ throughout. If within one run the column has one
+// direction for both motions, it is wrong for one of them.
 class SaidDirections {
  public:
-  // Of a stretch that begins at that line; nothing is added where either is unknown.
+  // Adds a stretch that begins at that line, unless one of the directions is unknown.
   void add(const std::string& run, std::optional<Direction> said, std::optional<Direction> moved,
            std::size_t line);
   // Names the stretches that do not move as is said.
@@ -33,13 +33,13 @@ class SaidDirections {
   std::map<std::pair<std::string, Direction>, Lines> lines_;
 };
 
-// Whether a log's position or speed counts the other way: friction adds to the motor tension while
-// the carriage pulls, and takes from it while it releases.
+// Returns a note if a log's position or speed counts the other way. Friction adds to the motor
+// tension while the carriage pulls, and takes from it while it releases.
 //
-// That is said where the median motor tension of pulling readings is below that of releasing ones
-// by more than the tolerance and three standard errors of the two medians, loads that differ
-// included. A controller that holds the motor tension makes it say nothing. (Nor is a single strand
-// as good a witness: where a finger is held, one may carry less while the carriage releases.)
+// Criterion: the median motor tension of pulling readings is below that of releasing ones by more
+// than the tolerance and three standard errors of the two medians, with the scatter of the loads.
+// If a controller holds the motor tension, no note results. A single strand is no good witness: if
+// a finger is held, it may carry less while the carriage releases.
 std::optional<DataNote> reversed_motion(const std::vector<SteadyReading>& readings,
                                         double tolerance);
 

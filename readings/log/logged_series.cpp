@@ -23,7 +23,7 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 // such as a clock on the wall. A log that is cut where the latter change has no steady stretch.
 class LogWords {
  public:
-  // Of the next samples.
+  // Adds the word of the next samples.
   void add(std::string_view word, std::size_t samples = 1) {
     auto found = known_.find(word);
     if (found == known_.end()) {
@@ -58,7 +58,7 @@ class LogWords {
   }
 
   std::map<std::string, std::uint32_t, std::less<>> known_;
-  std::vector<const std::string*> words_;  // by id
+  std::vector<const std::string*> words_;  // [id]
   std::vector<std::uint32_t> ids_;
 };
 
@@ -114,8 +114,8 @@ class LogReader {
  private:
   struct Values {
     bool is_text = false;
-    bool is_decided = false;      // of covariates
-    std::vector<double> numbers;  // of none, if it is text
+    bool is_decided = false;      // for covariates
+    std::vector<double> numbers;  // empty if it is text
     LogWords words;
   };
 
@@ -253,7 +253,7 @@ class LogReader {
   RowCells cells_;
   std::optional<std::size_t> clock_;
   bool has_dates_ = false;
-  std::vector<Values> values_;  // by column
+  std::vector<Values> values_;  // [column]
   LoggedSeries series_;
 };
 

@@ -18,14 +18,14 @@
 namespace reeve::readings {
 
 struct LoggedSignal {
-  std::string name;            // as docs write it; "" if the log has no such column
+  std::string name;            // name in the docs; "" if the log has no such column
   std::vector<double> values;  // parallel to the samples; empty without a column
   std::string column = {};     // its name in the file
 
   bool is_logged() const { return !name.empty(); }
 };
 
-// What the log says of a sample in words; "" where it says nothing.
+// The log's labels of a sample; "" if it has none.
 struct LogLabels {
   std::string run;
   std::string routing;
@@ -39,7 +39,7 @@ struct LoggedSeries {
   std::string file;
   bool simulated = false;             // a comment line says so
   std::vector<std::string> comments;  // above the header
-  std::vector<std::size_t> lines;     // of the samples
+  std::vector<std::size_t> lines;     // line of each sample
   std::vector<double> time_s;
   LoggedSignal position_mm;
   LoggedSignal speed_mm_s;
@@ -50,7 +50,7 @@ struct LoggedSeries {
   bool has_routings = false;
   bool has_held = false;
   std::vector<LogLabels> labels;       // two may be alike: columns of other words part them
-  std::vector<std::size_t> label;      // of each sample, in labels
+  std::vector<std::size_t> label;      // [sample]: index into labels
   std::vector<std::size_t> zeroed_at;  // samples above which new zeros stand, ascending
   std::vector<DataNote> notes;
 

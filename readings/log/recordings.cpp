@@ -80,7 +80,7 @@ double usual_step(const LoggedSeries& series, const std::vector<Recording>& part
 }
 
 double block_width(double least_time_s, double usual_step_s) {
-  constexpr double samples = 3;  // of which one may be wild
+  constexpr double samples = 3;  // so that one of them may be wild
   return std::max(least_time_s / blocks_per_least_time, samples * usual_step_s);
 }
 

@@ -27,11 +27,11 @@ namespace reeve::readings {
 struct Recording {
   std::size_t begin = 0;  // samples [begin, end)
   std::size_t end = 0;
-  std::size_t label = 0;  // in LoggedSeries::labels
+  std::size_t label = 0;  // index into LoggedSeries::labels
 };
 
 struct Recordings {
-  std::vector<Recording> parts;             // in the order of the samples; none is empty
+  std::vector<Recording> parts;             // sorted by sample; none is empty
   std::vector<std::size_t> clock_set_back;  // lines at which the clock is behind the line before
 };
 
@@ -49,7 +49,7 @@ struct SeriesBlock {
   double position_mm = 0;  // NaN: not logged, as for the others
   double speed_mm_s = 0;
   double load_N = 0;               // motor tension, or the sum of the tensions
-  std::vector<double> tensions_N;  // as those of the series
+  std::vector<double> tensions_N;  // parallel to the series' tensions
 };
 
 // Successive blocks of a recording that may give readings.
@@ -80,7 +80,7 @@ double block_width(double least_time_s, double usual_step_s);
 std::vector<SeriesBlock> series_blocks(const LoggedSeries& series, const Recording& part,
                                        double width_s);
 
-// Whether samples are missing between a block and the next: more than two widths.
+// True if samples are missing between a block and the next: more than two widths.
 bool is_gap(const SeriesBlock& block, const SeriesBlock& next, double width_s);
 
 }  // namespace reeve::readings

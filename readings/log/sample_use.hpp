@@ -1,4 +1,4 @@
-// What became of each sample of a log: taken into a reading, or left out for one reason.
+// Use of each sample of a log: taken into a reading, or left out for one reason.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ enum class SampleUse : std::uint8_t {
   incomplete,     // a value is missing that its neighbours have
   copy,           // every signal is as in the sample before, while the carriage moves
   spike,          // far from all neighbours
-  too_few,        // what was left of a stretch had too few samples
+  too_few,        // the rest of the stretch has too few samples
 };
 inline constexpr std::array all_sample_uses{
     SampleUse::taken,       SampleUse::standstill,   SampleUse::speed_varies,

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t most_blocks = 50;
 constexpr double walk_deviations = 4;
-constexpr double sticking = 0.5;  // of what the load changes by, where 1 is a contact that sticks
-constexpr double nearly_slack = 0.05;  // of the greatest ratio
+constexpr double sticking = 0.5;  // share of the change of the load; 1 is a contact that sticks
+constexpr double nearly_slack = 0.05;  // share of the greatest ratio
 
 // NaN where there is none.
 double ratio(const SeriesBlock& block, std::size_t tension) {
@@ -58,14 +58,14 @@ bool is_logged(const std::vector<SeriesBlock>& blocks, std::size_t tension) {
 
 struct WatchedRatio {
   std::size_t tension = 0;
-  double level = 0;      // as it is while sliding
-  double tolerance = 0;  // by which it may be off
-  double tension_N = 0;  // as it mostly is
-  double noise_N = 0;    // … and by chance, in the next block
+  double level = 0;      // level while sliding
+  double tolerance = 0;  // allowed deviation from the level
+  double tension_N = 0;  // usual tension
+  double noise_N = 0;    // its deviation by noise, in the next block
 };
 
-// By the later half of the stretch, without what may be off. Tensions that it does not have say
-// nothing, and of a nearly slack one small changes neither.
+// Returns levels from the later half of the stretch, with tolerances still 0. Tensions that it does
+// not have say nothing; small changes of a nearly slack one count little.
 std::vector<WatchedRatio> ratio_levels(const std::vector<SeriesBlock>& blocks) {
   std::vector<WatchedRatio> result;
   double greatest = 0;
@@ -136,7 +136,7 @@ struct BlocksAhead {
   double middle() const { return static_cast<double>(first + last) / 2; }
 };
 
-// How much farther off the mean of these lies from its forecast by chance than the next block does.
+// Returns the noise of the forecast of these blocks' mean over that of the next block.
 double reach_of_noise(BlocksAhead ahead) {
   constexpr auto count = static_cast<double>(blocks_per_least_time);
   const auto variance = [&](const BlocksAhead& of) {
@@ -146,7 +146,7 @@ double reach_of_noise(BlocksAhead ahead) {
   return std::sqrt(variance(ahead) / variance({1, 1}));
 }
 
-// Whether the mean of the blocks is off the line. So is one without a ratio.
+// True if the mean of the blocks is off the line, or if a block has no ratio.
 bool is_off(const std::vector<SeriesBlock>& blocks, std::size_t from, BlocksAhead ahead,
             const std::vector<WatchedRatio>& ratios) {
   return std::any_of(ratios.begin(), ratios.end(), [&](const WatchedRatio& watched) {
@@ -171,7 +171,7 @@ bool bends(const std::vector<SeriesBlock>& blocks, std::size_t from,
   return from >= 5 && is_off(blocks, from, {3, 5}, ratios);
 }
 
-// Of a long stretch in blocks so coarse that a slow bend shows in some of them.
+// A long stretch in blocks so coarse that a slow bend shows in some of them.
 struct CoarseStretch {
   std::size_t each = 1;  // blocks in one of these
   std::vector<SeriesBlock> blocks;
@@ -191,7 +191,7 @@ SeriesBlock merged(const std::vector<SeriesBlock>& blocks, std::size_t begin, st
   return all;
 }
 
-// From its end, so that what is left over lies at its begin, and is left out.
+// Merges blocks from the stretch's end; the rest at its begin is left out.
 CoarseStretch coarse(const std::vector<SeriesBlock>& blocks, const BlockStretch& stretch) {
   CoarseStretch result;
   const std::size_t length = stretch.end - stretch.begin;

@@ -1,4 +1,4 @@
-// From where on all contacts slide, within a stretch in which the carriage moves evenly.
+// Begin of sliding at all contacts, within a stretch of even carriage motion.
 //
 // After a turn or a rest the contacts begin to slide one after another. Until then the tensions
 // come nearer to their ratios; from then on the ratios to the load, q = T / T_load, go on as they
@@ -28,23 +28,23 @@
 namespace reeve::readings {
 
 struct ForecastError {
-  double tension_N = 0;  // as it mostly is over the stretch
+  double tension_N = 0;  // usual tension over the stretch
   double error_N = 0;
 };
 
-// How far the ratios of a tension to the load, q = T / T_load, are from their forecasts by noise.
+// Noise of the forecasts of a tension's ratio to the load, q = T / T_load.
 //
-// A sensor scatters by so many newton whatever it reads, and what drives it, by a share of it, so
-// that a forecast of T is off by a standard deviation of
+// A sensor scatters by a fixed number of newton, and its drive by a share of the tension. The
+// standard deviation of a forecast of T is therefore
 //
 //   s² = a² + b² T²
 //
-// and that of q by s / T_load. A strand that reads far less while the carriage pulls than while it
+// and that of q is s / T_load. A strand that reads far less while the carriage pulls than while it
 // releases thus has other relative noise in each. The two parts follow from the third of the
-// forecasts with the least tensions and that with the greatest; where these are hardly apart, from
-// all as a. Below the lower third s is taken for no less than there: the data do not say.
+// forecasts with the least tensions and the third with the greatest. If these are hardly apart, all
+// noise is a. Below the lower third, s stays as it is there, since there are no data.
 struct RatioNoise {
-  double least_tension_N = 0;  // that the data speak of
+  double least_tension_N = 0;  // least tension with data
   double absolute_N = 0;       // a
   double relative = 0;         // b
 
@@ -53,7 +53,7 @@ struct RatioNoise {
 
 RatioNoise ratio_noise(std::vector<ForecastError> errors);
 
-// Of the forecasts that the walk makes, one for each tension.
+// Returns the noise of the walk's forecasts, one for each tension.
 std::vector<RatioNoise> forecast_noise(const std::vector<std::vector<SeriesBlock>>& recordings,
                                        const std::vector<std::vector<BlockStretch>>& stretches);
 

@@ -9,7 +9,7 @@
 namespace reeve::readings {
 namespace {
 
-constexpr double even = 0.2;  // of the mean speed
+constexpr double even = 0.2;  // share of the mean speed
 constexpr double slow = 0.01;
 constexpr double fast_share = 0.95;
 

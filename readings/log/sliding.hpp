@@ -1,5 +1,5 @@
-// Where the carriage moves evenly: stretches of blocks of one sign of the speed, each of which is
-// within a fifth of the stretch's mean speed.
+// Stretches of even carriage motion: blocks of one sign of the speed, each within a fifth of the
+// stretch's mean speed.
 //
 // The speed of a block is the difference quotient of the positions of its neighbours; without a
 // position it is the logged speed. The carriage stands where it is slower than 1 % of the log's
@@ -25,17 +25,17 @@ std::vector<double> block_speeds(const std::vector<SeriesBlock>& blocks, MotionS
                                  double width_s);
 
 struct SpeedScale {
-  double standstill = 0;  // at most, mm/s
+  double standstill = 0;  // greatest speed at standstill, mm/s
   double noise = 0;       // standard deviation of a block's speed, mm/s
   bool has_sign = false;  // some blocks move backwards
 };
 
-// Of the blocks of all recordings.
+// Takes the speeds of the blocks of all recordings.
 SpeedScale speed_scale(const std::vector<std::vector<double>>& speeds);
 
 struct SlidingBlocks {
   std::vector<BlockStretch> stretches;
-  std::vector<SampleUse> uses;  // of the blocks; taken inside the stretches
+  std::vector<SampleUse> uses;  // use of each block; taken inside the stretches
 };
 
 // Positive speeds pull. Without signs the stretches have no direction.

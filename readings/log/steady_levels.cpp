@@ -60,7 +60,7 @@ class LevelSearch {
     return true;
   }
 
-  // From the first third to the last.
+  // True if a level changes from the first third to the last.
   bool drifts(std::size_t begin, std::size_t end) const {
     for (std::size_t k = 0; k < sums_.size(); ++k) {
       const EndLevels levels = end_levels(

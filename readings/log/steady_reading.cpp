@@ -178,7 +178,7 @@ class Averaging {
     return mean_of(values);
   }
 
-  // By the position, where it is logged.
+  // Uses the position if it is logged.
   std::optional<double> speed() const {
     if (series_.position_mm.is_logged()) {
       const std::vector<double> positions = values_at(series_.position_mm.values, kept_);

@@ -28,31 +28,31 @@ struct AveragedTension {
 struct SteadyReading {
   std::size_t begin = 0;  // samples [begin, end)
   std::size_t end = 0;
-  std::size_t label = 0;  // in LoggedSeries::labels
+  std::size_t label = 0;  // index into LoggedSeries::labels
   Direction direction = Direction::pull;
   double time_s = 0;         // mean of the samples
-  std::size_t samples = 0;   // that were averaged
-  std::size_t readings = 1;  // independent ones that they are worth
+  std::size_t samples = 0;   // number of averaged samples
+  std::size_t readings = 1;  // number of independent readings that they are worth
   std::optional<double> speed_mm_s;
   std::optional<AveragedTension> motor_tension_N;
-  std::vector<std::optional<AveragedTension>> tensions_N;  // as those of the series
+  std::vector<std::optional<AveragedTension>> tensions_N;  // parallel to the series' tensions
   std::vector<std::optional<double>> others;               // likewise
 };
 
 // A reading before its scatter is known.
 struct AveragedStretch {
   SteadyReading reading;
-  // Of the motor tension and of each tension, about their lines; empty where there is none.
+  // Residuals of the motor tension and of each tension about their lines; empty if there are none.
   std::vector<std::vector<double>> residuals_N;
 };
 
-// Of samples [begin, end) of one recording, marked in `uses`; nothing if fewer than five samples
-// hold up. Label and direction are the caller's to set.
+// Averages samples [begin, end) of one recording and marks them in `uses`. Returns nothing if fewer
+// than five samples are good. The caller sets label and direction.
 std::optional<AveragedStretch> average(const LoggedSeries& series, std::size_t begin,
                                        std::size_t end, double tolerance,
                                        std::vector<SampleUse>& uses);
 
-// With the deviations, and what the samples are worth by the noise of all of them together.
+// Adds the deviations, and the number of independent readings by the noise of all samples together.
 std::vector<SteadyReading> with_scatter(std::vector<AveragedStretch> stretches);
 
 }  // namespace reeve::readings

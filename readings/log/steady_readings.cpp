@@ -93,7 +93,7 @@ class SteadySearch {
     if (from < stretch.end) take(part, {from, stretch.end, stretch.direction});
   }
 
-  // Of the first and the last third.
+  // Relative change of the load from the first to the last third.
   double change_of_load(const std::vector<SeriesBlock>& blocks, const BlockStretch& stretch) const {
     const EndLevels load_N = end_levels(stretch.begin, stretch.end,
                                         [&](std::size_t block) { return blocks[block].load_N; });
@@ -104,7 +104,8 @@ class SteadySearch {
     return read_direction(series_.labels[parts_.parts[part].label].direction);
   }
 
-  // By the log's own column, the motion, the load where that has no sign, or what the caller says.
+  // Sources, in this order: the log's own column, the motion, the load if the motion has no sign,
+  // and the caller's option.
   std::optional<Direction> direction(std::size_t part, const BlockStretch& stretch) const {
     if (const auto said = said_direction(part)) return said;
     if (stretch.direction) return stretch.direction;
@@ -204,7 +205,7 @@ class SteadySearch {
   const LoggedSeries& series_;
   const SteadyOptions& options_;
   Recordings parts_;
-  std::vector<std::vector<SeriesBlock>> blocks_;  // of each recording
+  std::vector<std::vector<SeriesBlock>> blocks_;  // [recording]
   double width_s_ = 0;
   std::map<std::size_t, std::vector<std::size_t>> staying_at_;  // tension → first lines
   SaidDirections said_;

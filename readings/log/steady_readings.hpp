@@ -1,13 +1,13 @@
-// From a logger's time series to steady readings, and what became of each sample.
+// Steady readings from a logger's time series, and the use of each sample.
 //
 //   log → recordings → blocks → stretches in which the carriage moves evenly (sliding.hpp)
 //       → their settled parts (settling.hpp) → readings (steady_reading.hpp)
 //
-// and of a log without position and speed, its steady levels (steady_levels.hpp). A settled part
-// along which the load changes by more than five times the tolerance is a sweep, and is cut into
-// several readings of equal duration, so that each stands for a load of its own.
+// A log without position and speed gives its steady levels (steady_levels.hpp). A settled part
+// along which the load changes by more than five times the tolerance is a sweep. It is cut into
+// several readings of equal duration, so that each has a load of its own.
 //
-// Assumed is that the carriage is slow: tensions are those of equilibrium at every moment.
+// Assumption: the carriage is slow, so tensions are those of equilibrium at every moment.
 #pragma once
 
 #include <cstddef>
@@ -22,16 +22,16 @@
 namespace reeve::readings {
 
 struct SteadyOptions {
-  double least_time_s = 0.5;           // that a reading lasts
-  double tolerance = 0.02;             // relative, within which a tension is as it was
+  double least_time_s = 0.5;           // least duration of a reading
+  double tolerance = 0.02;             // relative change up to which a tension counts as unchanged
   std::size_t per_sweep = 5;           // readings at most
   bool reverse = false;                // positions and speeds fall while the carriage pulls
-  std::optional<Direction> direction;  // where the log does not say
+  std::optional<Direction> direction;  // direction to assume if the log does not say
 };
 
 struct SteadyReadings {
-  std::vector<SteadyReading> readings;  // in the order of the samples
-  std::vector<SampleUse> uses;          // of each sample
+  std::vector<SteadyReading> readings;  // sorted by sample
+  std::vector<SampleUse> uses;          // use of each sample
   MotionSource motion = MotionSource::none;
   double usual_step_s = 0;
   std::vector<DataNote> notes;
