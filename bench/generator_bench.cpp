@@ -28,7 +28,7 @@ void generate(benchmark::State& state) {
   generate_all(state, full_search(static_cast<int>(state.range(0))), keep);
 }
 
-// What a list on paper costs: the word of each, too.
+// Measures the cost of a list on paper: with the word of each.
 void generate_words(benchmark::State& state) {
   generate_all(state, full_search(static_cast<int>(state.range(0))),
                [](const Routing& routing) { benchmark::DoNotOptimize(to_word(routing)); });

@@ -1,4 +1,4 @@
-// What the benchmarks share: routings by word, ready to be solved.
+// Common parts of the benchmarks: routings by word, ready to be solved.
 #pragma once
 
 #include <algorithm>

@@ -28,8 +28,8 @@ import numpy as np
 from scipy.optimize import minimize
 
 PHI = {"tube": 0.18 * math.pi, "bearing": 0.001 * math.pi, "sheath": 0.18 * 2 * math.pi}
-# What slips, slips by far more than this part of the travel, so the limit is reached already; a
-# smaller one only makes the problem stiffer and SLSQP less exact.
+# A sliding contact slips by far more than this part of the travel, so the limit is reached already;
+# a smaller one only makes the problem stiffer and SLSQP less exact.
 EPS = 0.02
 
 STRAND, MOTOR, HAND = 0, 1, 2

@@ -1,4 +1,4 @@
-// What the page of an exploration costs beside the search that it shows.
+// Measures the cost of an exploration's page beside the search that it shows.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -39,9 +39,9 @@ void explore_page(benchmark::State& state) {
   const ExploreReport report = explored(static_cast<int>(state.range(0)), catalogue);
   const ExplorationView view{report, "reeve explore", "",
                              [&](const Routing& routing) {
-                               return shown_routing(routing, report.options.model,
-                                                    report.options.grasps, Direction::pull,
-                                                    catalogue);
+                               return solved_routing(routing, report.options.model,
+                                                     report.options.grasps, Direction::pull,
+                                                     catalogue);
                              },
                              static_cast<std::size_t>(state.range(1))};
   for (auto _ : state) benchmark::DoNotOptimize(exploration_page(view));

@@ -6,7 +6,7 @@
 namespace reeve::causes {
 namespace {
 
-// Of two, whichever comes first.
+// True if both subjects have the same channels, in either order.
 bool are_same_channels(const Subject& a, const Subject& b) {
   return (a.channel == b.channel && a.other_channel == b.other_channel) ||
          (a.channel == b.other_channel && a.other_channel == b.channel);

@@ -33,14 +33,14 @@ struct Record {
   std::vector<NamedValue> columns;
 };
 
-// Under which a reading was taken. What is missing is taken as the reference value, at which the
-// laws of friction with speed, wear and temperature change nothing.
+// Conditions of a reading. A missing one has the reference value, at which the laws of friction
+// with speed, wear and temperature change nothing.
 struct Conditions {
-  double motor_tension_N = 10;  // as recorded; for whoever solves tensions: at the tendon's start
+  double motor_tension_N = 10;  // recorded value; in a solve, that at the tendon's start
   double speed_mm_s = 10;
   double cycle = 0;
   double temperature_C = 20;
-  double order = 0;  // of the reading in its file: 0 the first, 1 the last
+  double order = 0;  // place of the reading in its file: 0 the first, 1 the last
   std::shared_ptr<const Record> record{};
 };
 
@@ -52,10 +52,10 @@ struct Range {
 struct Parameter {
   const char* name = "";
   const char* unit = "1";
-  // At which the cause changes nothing. Only the first parameter has one: it is the size; others
-  // shape the law and say nothing while the size is nominal.
+  // Value at which the cause changes nothing. Only the first parameter has one: it is the size.
+  // Others shape the law and say nothing while the size is nominal.
   std::optional<double> nominal;
-  Range range;  // that is searched
+  Range range;  // range of the search
   std::optional<Range> literature;
   // The range ends where the law does, not where the search does.
   bool ends_by_nature = false;
@@ -64,10 +64,10 @@ struct Parameter {
 // Ranges in newton are of loads about 20 N; those that are searched go with the loads of the data.
 inline constexpr double range_load_N = 20;
 bool is_force(const Parameter& parameter);  // or a force per something
-// What a model that is kept or simulated may have: of loads up to 1000 times as great.
+// Returns the range in a stored or simulated model: for forces, of loads up to 1000 times as great.
 Range valid_range(const Parameter& parameter);
 
-// What a cause is about; which of these it uses, depends on the cause.
+// Subject of a cause. The cause decides which members it uses.
 struct Subject {
   std::optional<Segment> channel;
   std::optional<Segment> other_channel;
@@ -81,7 +81,7 @@ struct Subject {
 // A cause with its size.
 struct Effect;
 
-// What the data could show: which causes can be asked for, and of what.
+// Content of the data. It decides which causes can be asked for, and with which subjects.
 struct SurveyedRouting {
   std::string word;
   const Network* network = nullptr;
@@ -95,14 +95,14 @@ struct SurveyedColumn {
 struct Survey {
   std::vector<SurveyedRouting> routings;
   std::vector<Segment> channels;
-  std::vector<Segment> wide_channels;  // that have readings far above and far below each other
+  std::vector<Segment> wide_channels;  // channels with readings far above and far below each other
   bool has_speed = false;
   bool has_cycle = false;
   bool has_temperature = false;
   bool has_motor_tension = false;
   bool has_both_directions = false;
-  bool sheath_angle_varies = false;  // from row to row
-  bool reads_below_zero = false;     // as sensors do whose zero has drifted
+  bool sheath_angle_varies = false;  // true if it differs between rows
+  bool reads_below_zero = false;     // true if a channel does, as after a drift of its zero
   // These two describe a planned experiment, for laws that are given by name.
   std::size_t runs = 0;  // "1", "2", …
   std::vector<SurveyedColumn> columns{};
@@ -123,17 +123,17 @@ inline std::vector<Subject> channel_subjects(const Survey& survey) {
 }
 bool is_channel(const Segment& segment, const Subject& subject);
 
-// Those of two channels that some routing has both of; none if there are more than 16 channels,
-// whose pairs are too many to try.
+// Returns the pairs of channels that some routing has both of. Returns none if there are more than
+// 16 channels: those have too many pairs to try.
 std::vector<Subject> channel_pair_subjects(const Survey& survey);
 
 // A contact while the tendon runs through it.
 struct ContactLoad {
   ContactKind kind = ContactKind::tube;
   double high_N = 0;       // the larger of the tensions beside it
-  std::size_t number = 0;  // of those of its kind in the routing's network, from 0
+  std::size_t number = 0;  // index among those of its kind in the routing's network, from 0
   Direction direction = Direction::pull;
-  int finger = 0;  // as of the contact
+  int finger = 0;  // same as Contact::finger
   Grasp grasp{};
   std::string_view routing{};  // word
 };
@@ -159,7 +159,7 @@ enum class Reach : std::uint8_t {
   reading,     // read, or reading where a sensor minds none but itself
 };
 
-// Which members of the subject a cause uses.
+// Members of the subject that a cause uses.
 enum class SubjectKind : std::uint8_t {
   rig,       // none: the cause is about the whole rig
   channel,   // channel
@@ -183,10 +183,15 @@ class Cause {
   virtual std::vector<Parameter> parameters(const Hardware& hardware) const = 0;
   virtual std::vector<Subject> subjects(const Survey& survey) const = 0;
   virtual SubjectKind subject_kind() const { return SubjectKind::rig; }
-  // What stands in brackets behind the name; empty if the cause is about the whole rig.
+  // Returns the text in brackets behind the name; empty if the cause is about the whole rig.
   virtual std::string subject_name(const Subject&) const { return {}; }
+  // True if the name in brackets means the subject, too: a contact's segments in the other order.
+  virtual bool is_also_named(const Subject&, std::string_view /*name*/, const Survey&) const {
+    return false;
+  }
 
-  // Of a cause that is the coefficient of all contacts of a kind: that of the hardware.
+  // Returns the hardware's law of a kind of contact if the cause is the coefficient of that kind;
+  // otherwise nullptr.
   virtual const ContactLaw* law(const Hardware&) const { return nullptr; }
 
   // Each of the following is called for causes of its reach only.
@@ -201,8 +206,8 @@ class Cause {
                                                     const Effect&) const {
     return std::nullopt;
   }
-  // What pulls the tendons where the motor is said to pull `motor_tension_N`. Only of readings with
-  // a recorded motor tension: without one it is the tendon's own tension that is found.
+  // Returns the tension at the tendons if the motor is said to pull `motor_tension_N`. Only
+  // readings with a recorded motor tension need it. Without one, the tendon's own tension is found.
   virtual double at_tendon(double motor_tension_N, Direction, const Conditions&,
                            const Effect&) const {
     return motor_tension_N;
@@ -212,11 +217,11 @@ class Cause {
   }
   // All sensors of a routing at once.
   virtual void read(std::span<Sensor> sensors, const Conditions&, const Effect& effect) const;
-  // Whether readings of its channel that go from the least to the greatest could show it.
+  // True if readings of its channel from the least to the greatest could show it.
   virtual bool shows_between(double /*least_N*/, double /*greatest_N*/, const Effect&) const {
     return true;
   }
-  // Whether readings stay linear in the tensions, up to an offset.
+  // True if readings stay linear in the tensions, up to an offset.
   virtual bool reads_linearly() const { return true; }
 };
 
@@ -229,7 +234,7 @@ struct Effect {
 // "sensor_gain[T3]"
 std::string effect_name(const Effect& effect);
 
-// Whether two effects say how large, or which, one and the same thing is.
+// True if both effects have the same cause and subject; the actual grasp may differ.
 bool is_about_the_same(const Effect& a, const Effect& b);
 
 // Fixed, on the carriage, or of a floating block.

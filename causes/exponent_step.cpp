@@ -6,11 +6,12 @@
 namespace reeve::causes {
 namespace {
 
-// Of tensions that are exact products of ratios but for rounding.
+// Relative tolerance; the tensions are exact products of ratios but for rounding.
 constexpr double limit_tolerance = 1e-12;
 // A factor e: further than that a first order does not see.
 constexpr double most_motion = 1;
-// Where an exponent rises almost as fast as the tension that it raises, a step has no bound.
+// Least 1 - slope. A step has no bound if an exponent rises almost as fast as the tension that it
+// raises.
 constexpr double least_stiffness = 0.1;
 
 bool is_at_limit(double left, double right, double decay) {
@@ -18,7 +19,8 @@ bool is_at_limit(double left, double right, double decay) {
   return std::abs(std::min(left, right) - high * decay) <= limit_tolerance * high;
 }
 
-// From behind a contact inside its cone, which a loop always has, up to rounding.
+// Returns the first segment behind a contact inside its cone; 0 on an open tendon. A loop always
+// has such a contact, up to rounding.
 std::size_t first_of_runs(const TendonSpan& tendon, const std::vector<double>& tension,
                           const Mechanics& mechanics) {
   for (std::size_t k = 0; tendon.closed && k < tendon.contacts; ++k) {

@@ -25,7 +25,7 @@ struct ConditionRow {
   const char* name;
   const char* unit;
   double Conditions::*value;
-  Range range;  // of a model that is kept
+  Range range;  // range in a stored model
 };
 std::span<const ConditionRow> condition_table();
 
@@ -39,14 +39,14 @@ Hardware effective_hardware(const Model& model);
 Hardware possible_hardware(const Model& model);
 Hardware effective_hardware(Hardware hardware, const std::vector<Effect>& effects);
 
-// Of the effects' reaches, whether one is this.
+// True if an effect has this reach.
 bool reaches(const Model& model, Reach reach);
-// Whether the exponents of some contacts are others than hardware and a routing's network give.
+// True if some contacts have other exponents than hardware and a routing's network give them.
 bool changes_exponents(const Model& model);
-// Whether an effect on contacts is about one routing.
+// True if an effect on contacts is about one routing.
 bool names_routings(const Model& model);
 
-// Whether neither hardware nor laws tell so many fingers apart.
+// True if neither hardware nor laws tell fingers 1 … `fingers` apart.
 bool treats_fingers_alike(const Model& model, int fingers);
 
 Grasp actual_grasp(const Model& model, const std::string& word, Grasp recorded);
@@ -65,9 +65,9 @@ Conditions at_tendon(const Model& model, Direction direction, const Conditions& 
 
 // Makes of the tensions of a routing's sensors what they read.
 void read(const Model& model, const Conditions& conditions, std::span<Sensor> sensors);
-// What a sensor at this segment reads that has no others beside it, first of its file.
+// Returns the first reading in a file of a sensor at this segment that has no others beside it.
 double reading(const Model& model, const Segment& segment, double tension_N);
-// Whether readings are linear in the tensions, up to an offset.
+// True if readings are linear in the tensions, up to an offset.
 bool reads_linearly(const Model& model);
 
 }  // namespace reeve::causes

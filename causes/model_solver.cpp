@@ -11,7 +11,7 @@ namespace {
 constexpr double tolerance = 1e-10;
 constexpr double growth = 1.05;
 constexpr int most_steps = 1000;
-// Of Newton's method, which takes about four.
+// Limit for Newton's method, which takes about four steps.
 constexpr int most_quick_steps = 30;
 // Nearer than this (in ln T) two tensions tell no slope.
 constexpr double least_difference = 1e-6;
@@ -63,6 +63,7 @@ void ModelSolver::set_routing(const std::string& word, const Network& network,
     seized_ = seize(network, contacts);
     gather(plain_.length, seized_.segment_from);
     if (!plain_.spools.empty()) gather(plain_.spools, seized_.segment_from);
+    if (!plain_.slack_mm.empty()) gather(plain_.slack_mm, seized_.segment_from);
     gather(plain_.phi, seized_.contact_from);
     gather(plain_.decay, seized_.contact_from);
     gather(number_, seized_.contact_from);

@@ -26,7 +26,7 @@ namespace reeve::causes {
 struct SolvedContact {
   ContactKind kind = ContactKind::tube;
   int finger = 0;
-  std::size_t number = 0;  // of those of its kind in the routing's network, from 0
+  std::size_t number = 0;  // index among those of its kind in the routing's network, from 0
   double phi = 0;
   double high = 0;  // the larger of the tensions beside it, per N of motor tension
 };
@@ -55,7 +55,7 @@ class ModelSolver {
   const Network& network() const { return seized_.network; }
   const Mechanics& plain() const { return plain_; }
 
-  // Whether the last solve converged.
+  // True if the last solve converged.
   bool converged() const { return converged_; }
 
   // All but seized ones.
@@ -81,17 +81,17 @@ class ModelSolver {
   SeizedNetwork seized_;
   Mechanics plain_;
   Mechanics mechanics_;
-  std::vector<std::size_t> left_;  // of each contact; equal to right_ if it is seized
+  std::vector<std::size_t> left_;  // left segment of each contact; equal to right_ if it is seized
   std::vector<std::size_t> right_;
-  std::vector<std::size_t> number_;  // of each contact among those of its kind, before a seizure
-  // Of Newton's method.
+  std::vector<std::size_t> number_;  // index of each contact within its kind, before a seizure
+  // State of Newton's method.
   ExponentStep step_;
   ExponentErrors errors_;
-  std::vector<double> wanted_;  // where the slopes were last seen from
-  std::vector<double> seen_N_;  // … and at which larger tension
-  // Of exponents that go to what their tensions ask for.
-  std::vector<double> share_;  // of the way to its new value that an exponent goes in a step
-  std::vector<double> way_;    // in the last step
+  std::vector<double> wanted_;  // wanted exponents at the last change of the slopes
+  std::vector<double> seen_N_;  // … and the larger tensions there
+  // State of exponents that go to what their tensions ask for.
+  std::vector<double> share_;  // share of the way to its new value that an exponent goes in a step
+  std::vector<double> way_;    // way of the last step
   TensionSolver solver_;
   TensionState state_;
   TensionState restored_;

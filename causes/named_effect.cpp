@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "causes/library.hpp"
@@ -24,6 +25,13 @@ std::string name_of(const Cause& cause, const Subject& subject) {
 }
 
 std::string cause_part(const std::string& name) { return name.substr(0, name.find('[')); }
+
+// "TR1,T1-T2" of "seized_contact[TR1,T1-T2]".
+std::string_view subject_part(std::string_view name) {
+  const std::size_t bracket = name.find('[');
+  if (bracket == std::string_view::npos || name.back() != ']') return {};
+  return name.substr(bracket + 1, name.size() - bracket - 2);
+}
 
 const Cause& cause_of(const std::string& name) {
   const std::string cause_name = cause_part(name);
@@ -81,7 +89,10 @@ std::vector<Subject> subjects_named(const std::string& name, const Cause& cause,
   if (possible.empty()) throw cannot_show(cause, survey);
   std::vector<Subject> named;
   for (const Subject& subject : possible) {
-    if (name_of(cause, subject) == name) named.push_back(subject);
+    if (name_of(cause, subject) == name ||
+        cause.is_also_named(subject, subject_part(name), survey)) {
+      named.push_back(subject);
+    }
   }
   if (!named.empty()) return named;
   throw InputError({.what = "this experiment has no such thing",

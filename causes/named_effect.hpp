@@ -29,15 +29,15 @@ struct NamedEffect {
   std::vector<Setting> settings;
 };
 
-// Without which an experiment shows nothing of a cause.
+// A property without which an experiment shows nothing of a cause.
 struct Lack {
   bool Survey::*has;
   const char* why;     // "it depends on the cycle"
   const char* wanted;  // "it to be given"
 };
 
-// What it is that keeps an experiment from showing the cause of this name; nullptr if nothing of
-// that kind does, or if there is no such cause.
+// Returns the lack that keeps an experiment from showing the cause of this name; nullptr if there
+// is none, or no such cause.
 const Lack* lack(const std::string& name, const Survey& survey);
 
 // Throws InputError that begins with the quoted name. `hardware` is the one that the effect is

@@ -9,6 +9,7 @@
 
 #include "causes/term.hpp"
 #include "core/error.hpp"
+#include "core/nearest_name.hpp"
 #include "core/text.hpp"
 
 namespace reeve::causes {
@@ -103,7 +104,7 @@ std::optional<Range> range_in(const Survey& survey, const Covariate& covariate) 
   const std::string name = of_tension ? "motor_tension_N" : covariate_name(covariate);
   for (const SurveyedColumn& column : survey.columns) {
     if (column.name != name) continue;
-    constexpr double least = 0.01;  // of what the motor pulls
+    constexpr double least = 0.01;  // share of the greatest motor tension
     return of_tension ? Range{least * column.range.high, column.range.high} : column.range;
   }
   return std::nullopt;
@@ -115,11 +116,11 @@ Covariate covariate_of(const std::string& name, const Survey& survey) {
   if (!range) {
     std::vector<std::string> names;
     for (const SurveyedColumn& column : survey.columns) names.push_back(column.name);
-    throw InputError(
-        {.what = "the experiment has no covariate",
-         .value = name,
-         .expected = fmt::format("load, a channel, or one of {}", fmt::join(names, ", ")),
-         .form = InputForm::unknown});
+    throw InputError({.what = "the experiment has no covariate",
+                      .value = name,
+                      .expected = fmt::format("load, a channel, or one of {}{}",
+                                              fmt::join(names, ", "), did_you_mean(name, names)),
+                      .form = InputForm::unknown});
   }
   covariate.seen = *range;
   covariate.middle = (range->low + range->high) / 2;

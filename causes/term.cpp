@@ -107,7 +107,7 @@ std::vector<Parameter> parameters_of(const Term& term) {
   return parameters;
 }
 
-// Where a law of this covariate may be zero.
+// Returns the crossing of a law of this covariate: the value at which the law may be zero.
 Parameter crossing_parameter(const char* name, const Covariate& x, bool is_logarithmic) {
   const auto [low, high] = x.seen;
   const double reach = 3 * (high - low);

@@ -33,7 +33,7 @@ std::string target_names();  // "exponent, force, …", for messages
 
 enum class SitePlace : std::uint8_t { contacts, channel, channels, motor };
 
-// Where a term acts. What is not set restricts nothing.
+// Site says where a term acts. A member that is not set restricts nothing.
 struct Site {
   SitePlace place = SitePlace::contacts;
   ContactKind kind = ContactKind::tube;  // contacts
@@ -49,7 +49,7 @@ struct Site {
 enum class CovariateKind : std::uint8_t {
   none,
   load,     // T_high at the contact, or what the channel carries
-  tension,  // what another channel of the row carries
+  tension,  // tension of another channel of the row
   motor,    // tension, N
   speed,
   cycle,
@@ -71,7 +71,8 @@ inline bool is_of_tensions(const Covariate& covariate) {
 }
 // "humidity_pct", "load", "T2"
 std::string covariate_name(const Covariate& covariate);
-// That of this name, without middle and range. A name that means nothing else is a column's.
+// Returns the covariate of this name, without middle and range. A name that means nothing else is a
+// column's.
 Covariate covariate_named(const std::string& name);
 
 enum class Form : std::uint8_t {
@@ -89,7 +90,7 @@ enum class Form : std::uint8_t {
 const char* form_name(Form form);
 std::optional<Form> form_named(const std::string& name);
 std::string form_names();
-// Of its parameters, the first of which is 0 where the term changes nothing.
+// Returns the number of its parameters. The first of them is 0 if the term changes nothing.
 std::size_t parameter_count(Form form);
 
 struct Term {
@@ -114,7 +115,7 @@ std::string site_name(const Site& site);
 // The site of this name, whatever it says of a routing; nothing if it names none.
 std::optional<Site> site_named(const std::string& name);
 
-// Of a term that there cannot be: which part does not go with the others, by its key in files.
+// Fault of an impossible term: the key in files of the part that does not go with the others.
 struct TermFault {
   const char* key;
   const char* expected;
@@ -134,7 +135,7 @@ const Cause& law_with_free_crossing(const Term& term);
 // Its effect as one of a plain law, whose term holds the crossing; any other effect as it is.
 Effect with_crossing_held(const Effect& effect);
 
-// Those that the effect's law is of: none, one or two.
+// Returns the covariates of the effect's law: none, one or two.
 std::vector<Covariate> covariates(const Effect& effect);
 
 // "phi' = phi (1 + 0.0083 (humidity_pct - 50))"

@@ -40,7 +40,8 @@ const NamedCovariate* find_named_covariate(std::string_view name) {
 // Before the name of a column that by itself would be read as something else.
 constexpr std::string_view column_prefix = "column ";
 
-// Of two letters or more, a word is a column before it is a segment on the carriage.
+// Returns the segment of this name. A word of two letters or more means a column rather than a
+// motor-side segment.
 std::optional<Segment> tension_named(const std::string& name) {
   const auto segment = segment_named(name);
   const bool is_word = segment && segment->kind == SegmentKind::motor_side && name.size() > 1;
@@ -67,14 +68,14 @@ class SiteReader {
   }
 
  private:
-  // Where both are, the run stands first; a name may have such words in it itself.
+  // If both are there, the run stands first. A name may itself contain such words.
   void split_off_run_and_group() {
     const bool has_run = rest_.find(run_mark) < rest_.find(group_mark);
     site_.group = split_off(has_run ? rest_.rfind(group_mark) : rest_.find(group_mark), group_mark);
     if (has_run) site_.run = split_off(rest_.find(run_mark), run_mark);
   }
 
-  // What stands behind the mark at this place, if it is there.
+  // Cuts the text off at the mark and returns what stands behind it; "" if there is no mark.
   std::string split_off(std::size_t at, std::string_view mark) {
     if (at == std::string_view::npos) return "";
     std::string name(rest_.substr(at + mark.size()));

@@ -17,8 +17,8 @@ namespace reeve::diagnosis {
 namespace {
 
 // Runs by the routings they were measured on, each list in an order drawn by the seed; the longest
-// list first, lists of one length in an order drawn by the seed. Of runs that are nothing but
-// repetitions there is nothing to hold out.
+// list first, lists of one length in an order drawn by the seed. Runs that are nothing but
+// repetitions cannot be held out.
 std::vector<std::vector<std::size_t>> strata(const MeasuredData& data,
                                              const std::set<std::size_t>& dropped,
                                              std::uint64_t seed) {
@@ -54,7 +54,7 @@ std::set<std::size_t> draw_held_out(const MeasuredData& data, const std::set<std
   if (share <= 0 || count < 2) return held;
   const auto wanted = std::clamp<std::size_t>(
       static_cast<std::size_t>(std::lround(share * static_cast<double>(count))), 1, count - 1);
-  // Where every routing has one run only, a run of its own has to do.
+  // If every routing has one run only, a run that is alone on its routing may be held out.
   for (const std::size_t least : {std::size_t{2}, std::size_t{1}}) {
     for (bool found = true; found && held.size() < wanted;) {
       found = false;

@@ -12,7 +12,7 @@
 
 namespace reeve::diagnosis {
 
-// Which readings a model is fitted to, and which it is tested on.
+// Splits the readings into those that a model is fitted to and those that it is tested on.
 //
 // Repeated readings are dropped first (and listed). Whole runs are held out, drawn by the seed
 // among runs that were measured on the same routings, so that what is tested has been seen in
@@ -37,12 +37,12 @@ inline constexpr std::size_t most_readings = 4000;
 struct Sample {
   Dataset training;
   Dataset held_out;
-  std::size_t rows = 0;  // of both
+  std::size_t rows = 0;  // training and held out together
   std::size_t runs = 0;
   std::size_t held_out_runs = 0;
   std::size_t dropped_duplicates = 0;
   std::size_t thinned_rows = 0;
-  std::vector<DataNote> notes;  // those on the data first
+  std::vector<DataNote> notes;  // notes on the data come first
 };
 
 // `share` of the runs is held out (run_split.hpp). Throws InputError if no row can be compared.

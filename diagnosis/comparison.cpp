@@ -166,7 +166,7 @@ class Comparer {
   Forecast forecast_;
   Comparison result_;
   DataNote jams_{NoteKind::jams,
-                 "in these grasps a tendon has no finger that can move: predicted are the tensions "
+                 "in these grasps a tendon has no finger that can move: the predictions are those "
                  "of the blocked carriage",
                  {}};
   DataNote not_strands_{NoteKind::not_compared,

@@ -1,4 +1,4 @@
-// Measured tensions beside those of the model as it stands: nothing is fitted, nothing is tuned.
+// Measured tensions beside those of the nominal model: nothing is fitted, nothing is tuned.
 //
 // Let p_i be the forecast of what segment i's sensor reads (model/forecast.hpp), in the row's
 // routing, grasp and direction.
@@ -21,7 +21,7 @@ namespace reeve::diagnosis {
 
 enum class ComparedQuantity : std::uint8_t {
   tension,  // N
-  share,    // of the measured strands' sum, 1
+  share,    // share of the measured strands' sum, 1
 };
 const char* quantity_name(ComparedQuantity quantity);
 

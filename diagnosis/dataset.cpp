@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <tuple>
+#include <utility>
 
 namespace reeve::diagnosis {
 namespace {
@@ -70,6 +71,35 @@ bool is_wide(const MeasuredData& data, std::size_t channel) {
 }
 
 }  // namespace
+
+Conditions typical_conditions(const MeasuredData& data, const std::vector<std::size_t>& readings) {
+  Conditions result;
+  const auto median_of_given = [&](const auto& value_of) {
+    std::vector<double> values;
+    for (const std::size_t i : readings) {
+      if (const std::optional<double> value = value_of(data.readings[i])) values.push_back(*value);
+    }
+    if (values.empty()) return std::optional<double>();
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return std::optional(*middle);
+  };
+  const auto take = [&](double Conditions::*to, std::optional<double> Reading::*from) {
+    const auto value = median_of_given([&](const Reading& reading) { return reading.*from; });
+    if (value) result.*to = *value;
+  };
+  take(&Conditions::motor_tension_N, &Reading::motor_tension_N);
+  take(&Conditions::speed_mm_s, &Reading::speed_mm_s);
+  take(&Conditions::cycle, &Reading::cycle);
+  take(&Conditions::temperature_C, &Reading::temperature_C);
+  Record record;
+  for (std::size_t c = 0; c < data.covariates.size(); ++c) {
+    const auto value = median_of_given([&](const Reading& of) { return of.covariates[c]; });
+    if (value) record.columns.push_back({data.covariates[c], *value});
+  }
+  result.record = std::make_shared<const Record>(std::move(record));
+  return result;
+}
 
 double Dataset::degrees_of_freedom() const {
   const auto free = std::count_if(rows.begin(), rows.end(),

@@ -25,7 +25,7 @@ struct DatasetRow {
   std::size_t first = 0;
   std::size_t last = 0;
   bool has_motor_tension = true;
-  double motor_deviation_N = 0;  // of the motor tension; 0: it is what it reads
+  double motor_deviation_N = 0;  // standard deviation of the motor tension; 0: exact
   Conditions conditions;
 };
 
@@ -50,7 +50,7 @@ struct Dataset {
 // and one with it a tension above 0.
 enum class Rows { that_say_something, all };
 
-// Of these readings (ascending).
+// Returns a dataset of these readings (ascending).
 Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readings,
                 Rows rows = Rows::that_say_something);
 
@@ -58,7 +58,11 @@ Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readin
 // motor tensions, or where there are none the sums of the readings.
 double force_scale(const MeasuredData& data);
 
-// Which causes the data could show.
+// Returns the medians of what these readings record (of an even number the lower one, which was
+// recorded): under these a design is judged by a model of theirs.
+Conditions typical_conditions(const MeasuredData& data, const std::vector<std::size_t>& readings);
+
+// Returns the kinds of cause that the data could show.
 Survey survey(const MeasuredData& data);
 
 }  // namespace reeve::diagnosis

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -38,6 +39,21 @@ void require_some_tension(const MeasuredData& data) {
                     .expected = "a sensor that reads something"});
 }
 
+// A term that is of a column, a sensor or a contact that the readings lack would be looked for in
+// vain.
+void require_terms_to_show(const std::vector<Effect>& terms, const Dataset& readings,
+                           const Model& nominal) {
+  const Forecast without_it = forecast(readings, nominal);
+  for (const Effect& term : terms) {
+    Model with_it = nominal;
+    add_effect(with_it, term);
+    const auto at = try_forecast(readings, with_it);
+    if (at && at->reading_N != without_it.reading_N) continue;
+    throw InputError({.what = effect_name(term) + " changes no tension of the readings",
+                      .expected = "a site and a covariate of theirs, and a value a other than 0"});
+  }
+}
+
 // A cause with two parameters and noise that nothing else tells would leave six.
 constexpr double too_few_degrees = 8;
 
@@ -55,6 +71,7 @@ class Diagnosis {
   }
 
   std::optional<DiagnosisResult> run() {
+    require_terms_to_show(options_.terms, sample_.training, nominal_);
     candidates_ = candidates(survey(data_), nominal_.hardware, force_scale(data_));
     if (sample_.training.degrees_of_freedom() < too_few_degrees) {
       note_too_few();
@@ -72,13 +89,21 @@ class Diagnosis {
     if (stop_) return std::nullopt;
     const auto intervals =
         parameter_intervals(found_.problem, found_.model, found_.mounting_degrees());
-    describe(result_.causes, found_.model, nominal_.hardware, intervals, force_scale(data_));
+    const bool bends_are_recorded =
+        std::any_of(data_.readings.begin(), data_.readings.end(),
+                    [](const Reading& reading) { return reading.sheath_angle_rad.has_value(); });
+    describe(result_.causes, found_.model, nominal_.hardware, intervals, force_scale(data_),
+             bends_are_recorded);
     add_partial_residuals(intervals);
     note_runs_apart();
     if (stopped("looking for leads")) return std::nullopt;
     find_leads();
-    // Where nothing is named the hardware stands, and its coefficients with it.
-    if (result_.causes.empty()) result_.model = nominal_;
+    // If nothing is named, the hardware file stands, and its coefficients with it.
+    if (result_.causes.empty()) {
+      result_.model = nominal_;
+    } else {
+      result_.model.conditions = typical_conditions(data_, readings_used());
+    }
     decide();
     if (stopped("choosing the next measurement")) return std::nullopt;
     plan_measurements();
@@ -141,7 +166,7 @@ class Diagnosis {
   }
 
   TermSearchOptions search_options() const {
-    return {options_.alpha, options_.most_causes, options_.mounting_scatter};
+    return {options_.alpha, options_.most_causes, options_.mounting_scatter, options_.terms};
   }
 
   bool find_causes() {
@@ -193,7 +218,7 @@ class Diagnosis {
 
   // A size at an end of its range may be another one in truth, and the cause another with it.
   bool stands_at_an_end(const AcceptedTerm& accepted) const {
-    constexpr double near = 1e-3;  // of the range
+    constexpr double near = 1e-3;  // share of the range
     // A law's form that bends as far as it may looks like another form of it.
     if (term_of(*accepted.effect.cause) != nullptr) return false;
     const Effect& effect = found_.model.effects[place(found_.model, accepted.effect)];
@@ -228,7 +253,7 @@ class Diagnosis {
            newtons_of(after) > same_N * newtons_of(beside_runs_apart(near));
   }
 
-  // What the folds' models forecast without a cause of this name.
+  // Returns the forecasts of the folds' models without a cause of this name.
   const Forecast& without_in_folds(const std::string& name) {
     const auto known = without_in_folds_.find(name);
     if (known != without_in_folds_.end()) return known->second;
@@ -270,7 +295,7 @@ class Diagnosis {
     return at;
   }
 
-  // What groups differ by is compared among all of them (compare_groups).
+  // Effects of one group are compared among all groups (compare_groups).
   static bool is_of_a_group(const AcceptedTerm& accepted) {
     const Term* term = term_of(*accepted.effect.cause);
     return term != nullptr && !term->site.group.empty();
@@ -319,7 +344,7 @@ class Diagnosis {
     const std::vector<Alternative>* others;
   };
 
-  // What explains most of the residuals comes first.
+  // Sorts the causes by the residuals that they explain, the greatest share first.
   void weigh_by_residuals(std::vector<NamedWithOthers>& named) {
     std::vector<Effect> terms;
     for (const NamedWithOthers& each : named) terms.push_back(each.cause.effect);
@@ -380,7 +405,7 @@ class Diagnosis {
     }
   }
 
-  // What the named causes win on runs that their model has not seen.
+  // Computes the gains of the named causes on held-out runs.
   void state_gains() {
     const bool is_sealed = !sample_.held_out.cells.empty();
     if (!is_sealed && folds_.empty()) return;
@@ -395,11 +420,31 @@ class Diagnosis {
     result_.noise_limit = noise_limit(unseen, first);
     result_.run_gains = run_gains(unseen, first, second);
     if (result_.causes.empty()) return;
-    result_.held_out = held_out_gain(unseen, first, second, options_.seed);
-    weigh(misfit(found_.problem, nominal_) - misfit(found_.problem, after));
+    bool can_gain = is_sealed;
     for (std::size_t c = 0; c < result_.causes.size(); ++c) {
-      result_.causes[c].held_out = gain_of(result_.causes[c], unseen, second, c);
+      NamedCause& cause = result_.causes[c];
+      if (!is_sealed) cause.only_run = only_run(cause);
+      if (!cause.only_run.empty()) continue;
+      can_gain = true;
+      cause.held_out = gain_of(cause, unseen, second, c);
     }
+    if (can_gain) result_.held_out = held_out_gain(unseen, first, second, options_.seed);
+    weigh(misfit(found_.problem, nominal_) - misfit(found_.problem, after));
+  }
+
+  // The run that has all readings that the cause changes; empty if several have some.
+  std::string only_run(const NamedCause& cause) const {
+    const Model less = without(found_.model, place(found_.model, cause.effect));
+    const Forecast with_it = forecast(sample_.training, found_.model);
+    const auto without_it = try_forecast(sample_.training, less);
+    if (!without_it) return {};
+    std::set<std::size_t> runs;
+    for (std::size_t i = 0; i < sample_.training.cells.size(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      if (with_it.reading_N[k] == without_it->reading_N[k]) continue;
+      runs.insert(data_.readings[sample_.training.cells[i].reading].run);
+    }
+    return runs.size() == 1 ? data_.runs[*runs.begin()] : "";
   }
 
   // `gain` is twice that of the named causes in log-likelihood.
@@ -458,11 +503,11 @@ class Diagnosis {
     }
   }
 
-  // Whether what the model leaves is clearly more than readings scatter by that no smooth law
-  // explains, and of a size that matters: what mountings do may follow anything.
+  // True if the residuals clearly exceed the scatter of readings that no smooth law explains, and
+  // matter in size. Effects of mountings may follow anything.
   bool leaves_more_than_noise() const {
     constexpr double clearly = 1.2;
-    constexpr double matters = 0.002;  // of the readings
+    constexpr double matters = 0.002;  // share of the readings
     const Dataset& dataset = sample_.training;
     const Forecast at = forecast(dataset, found_.model);
     const Eigen::VectorXd left =
@@ -540,7 +585,7 @@ class Diagnosis {
     return readings;
   }
 
-  // Whether some coefficient or cause differs between them.
+  // True if some coefficient or cause differs between the groups.
   bool groups_differ(const Model& model) {
     result_.by_group = estimates_by_group(data_, readings_used(), model, found_.scatter,
                                           found_.mounting_degrees(), options_.alpha, workers_);
@@ -571,7 +616,7 @@ class Diagnosis {
     name_nothing_of_all_groups();
   }
 
-  // What was found in all groups together may stand in for the difference between them: a drift, if
+  // A cause found in all groups together may stand in for the difference between them: a drift, if
   // they follow each other.
   void name_nothing_of_all_groups() {
     result_.causes.clear();
@@ -601,7 +646,7 @@ class Diagnosis {
   std::vector<Candidate> candidates_;
   std::vector<Fold> folds_;
   std::map<std::string, Forecast> without_in_folds_;  // by the name of a cause
-  std::vector<Model> alias_models_;  // of the first causes that cannot be told apart
+  std::vector<Model> alias_models_;  // models of the first causes that cannot be told apart
   DiagnosisResult result_;
 };
 

@@ -1,4 +1,4 @@
-// What the simulation gets wrong, why, and what mending it gains.
+// Diagnosis: names the causes for which the simulation is wrong, and the gain from adding them.
 //
 //   data without repetitions → coefficients calibrated (calibration.hpp) → terms accepted by their
 //   evidence on all readings (term_search.hpp) → the same search without each fold of runs
@@ -18,12 +18,13 @@
 #include <string>
 #include <vector>
 
+#include "causes/model.hpp"
 #include "diagnosis/diagnosis_result.hpp"
 #include "readings/measured_data.hpp"
 
 namespace reeve::diagnosis {
 
-// What the result depends on, besides the data and the hardware.
+// Settings that determine the result, besides the data and the hardware.
 struct DiagnosisSettings {
   double alpha = 0.02;
   double hold_out = 0;  // share of the runs that are sealed for a last test
@@ -32,6 +33,8 @@ struct DiagnosisSettings {
   std::optional<std::size_t> most_causes;  // beside coefficients; none: as many as the data carry
   // Relative standard deviation of friction exponents from mounting to mounting, if it is known.
   std::optional<double> mounting_scatter;
+  // Laws that are looked for as those that the library has a name for, from these values on.
+  std::vector<Effect> terms{};
 };
 
 struct DiagnoseOptions : DiagnosisSettings {
@@ -44,9 +47,10 @@ struct DiagnoseOptions : DiagnosisSettings {
   const std::atomic<bool>* stop = nullptr;
 };
 
-// What is drawn is drawn by the numbers of runs and readings: a caller who wants the same of the
-// same rows in any order puts them in one (data/row_order.hpp). Nothing if it was stopped. Throws
-// InputError if no row can be compared.
+// Random draws depend on the numbers of runs and readings. For the same result from the same rows
+// in any order, put them in a fixed order first (data/row_order.hpp). Returns nothing if it was
+// stopped. Throws InputError if no row can be compared, or if one of the options' terms changes no
+// reading.
 std::optional<DiagnosisResult> diagnose_until(const MeasuredData& data, const Hardware& hardware,
                                               const DiagnoseOptions& options);
 DiagnosisResult diagnose(const MeasuredData& data, const Hardware& hardware,

@@ -1,4 +1,4 @@
-// What a diagnosis says (diagnose.hpp), in values.
+// Result of a diagnosis (diagnose.hpp), in values.
 #pragma once
 
 #include <cstddef>
@@ -49,9 +49,9 @@ struct RunnerUp {
 
 // A coefficient that is free in every model.
 struct CalibratedCoefficient {
-  std::string name;  // of the cause: tube_friction
+  std::string name;  // name of the cause: tube_friction
   EstimatedParameter parameter;
-  double p_value = 1;    // that the hardware is right and chance takes the estimate so far from it
+  double p_value = 1;    // chance of an estimate so far from the hardware's value if that is right
   bool differs = false;  // from what the hardware says; then it is a named cause, too
 };
 
@@ -65,9 +65,12 @@ struct NamedCause {
   Explained explained;
   std::optional<PartialResiduals> partial{};  // nothing if no reading depends on it
   // The rest is nothing of a coefficient.
-  std::optional<HeldOut> held_out{};    // with this cause over without it, all others kept
+  // The gain with this cause over without it, all others kept. There is none if all readings that
+  // it changes are of one run: a model that has not seen that run cannot know the cause.
+  std::optional<HeldOut> held_out{};
+  std::string only_run{};               // name of that run, or empty
   std::optional<double> evidence{};     // nats above the model without it
-  std::optional<double> probability{};  // among those that cannot be told from it
+  std::optional<double> probability{};  // share among the causes that cannot be told from it
   std::optional<double> folds{};        // share of the folds that find it
   std::optional<RunnerUp> runner_up{};
 };
@@ -82,8 +85,8 @@ struct RunApart {
 // The named causes together, or others in the place of one of them.
 struct WeighedCauses {
   std::vector<std::string> causes;
-  double gain = 0;                  // of evidence, over the nominal model
-  std::optional<HeldOut> held_out;  // of the named ones
+  double gain = 0;                  // rise of evidence over the nominal model
+  std::optional<HeldOut> held_out;  // gain of the named causes
 };
 
 struct Unexplained {
@@ -94,16 +97,16 @@ struct Unexplained {
 
 struct DiagnosisResult {
   Verdict verdict = Verdict::none;
-  std::vector<NamedCause> causes;  // what explains most of the residuals first
+  std::vector<NamedCause> causes;  // sorted by the residuals that they explain
   std::vector<std::vector<std::string>> indistinguishable;
   // Between the first two of the first group.
   std::optional<PlannedMeasurement> separating_measurement;
-  // Which separates the leading explanations, or else most shrinks the interval of the first cause.
+  // Separates the leading explanations, or else most shrinks the interval of the first cause.
   std::optional<PlannedMeasurement> next_measurement;
   std::optional<Unexplained> unexplained;
   std::vector<StructureFinding> structure;  // after the named causes
-  std::vector<Lead> leads;                  // where structure is left, or a term is not confirmed
-  double residual_before_N = 0;             // root mean square, of all readings
+  std::vector<Lead> leads;       // places to look, if structure is left or a term is not confirmed
+  double residual_before_N = 0;  // root mean square, of all readings
   double residual_after_N = 0;
   std::optional<HeldOut> held_out;  // all causes over none
   std::vector<CalibratedCoefficient> calibration;
@@ -111,14 +114,14 @@ struct DiagnosisResult {
   // Found in all readings, but not in most folds, or no gain on the runs that these have not seen.
   std::vector<std::string> not_confirmed;
   std::size_t folds = 0;
-  std::size_t most_causes = 0;            // that were looked for, beside coefficients
+  std::size_t most_causes = 0;            // greatest number looked for, beside coefficients
   std::optional<NoiseLimit> noise_limit;  // over the model as it was; nothing if nothing held out
   std::vector<RunGain> run_gains;         // all causes over none, each held-out run
   std::vector<WeighedCauses> weighed;
-  double p_value = 1;                      // that chance alone gives what the best cause gains
+  double p_value = 1;                      // chance of the best cause's gain if no cause acts
   std::vector<EstimatesByGroup> by_group;  // coefficients and causes, fitted to each by itself
   std::optional<RowScatter> row_scatter;   // by the training runs, beside the model
-  double structure_p_value = 1;  // that it gives the strongest of `structure`, family-wise
+  double structure_p_value = 1;            // chance of the strongest of `structure`, family-wise
   Noise noise;
   MountingScatter mounting;
   Model model;  // the extended one
@@ -144,6 +147,7 @@ EstimatedParameter estimated(const Effect& effect, std::size_t p, const Paramete
 
 // Adds what the model has of each; `intervals` is parallel to its effects.
 void describe(std::vector<NamedCause>& causes, const Model& model, const Hardware& hardware,
-              const std::vector<std::vector<ParameterInterval>>& intervals, double force_scale);
+              const std::vector<std::vector<ParameterInterval>>& intervals, double force_scale,
+              bool bends_are_recorded);
 
 }  // namespace reeve::diagnosis

@@ -166,7 +166,7 @@ const std::vector<Law>& laws() {
 
 struct Rig {
   std::string csv, fresh_csv;
-  double fresh_noise_N = 0;        // that noise alone leaves of the fresh runs
+  double fresh_noise_N = 0;        // residual of the fresh runs by noise alone
   std::vector<std::string> truth;  // names that are right, of which one is to be named
   std::string about;
 };

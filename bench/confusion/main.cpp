@@ -22,7 +22,7 @@ namespace reeve::bench {
 namespace {
 
 struct Options {
-  std::size_t sets = 180;  // of each part
+  std::size_t sets = 180;  // data sets of each part
   std::uint64_t seed = 1;
   std::string part = "all";
   double visible = 20;

@@ -3,8 +3,8 @@
 //   normal, by mounting        |e|^2 = (y - m)^T C^-1 (y - m), C at the truth
 //   Student's t, by reading    e^2 = (d + 1) ln(1 + z^2 / (d - 2)), z in standard deviations
 //
-// so that -ln L = |e|^2 / 2 up to what all models share. What mountings do beyond the first order,
-// which C does not know, is taken out of the readings.
+// so that -ln L = |e|^2 / 2 up to what all models share. The effects of mountings beyond the first
+// order, which C does not know, are taken out of the readings.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -28,7 +28,7 @@ class PlantedLikelihood {
 
  private:
   struct Mounting {
-    std::vector<Eigen::Index> cells;  // of the dataset
+    std::vector<Eigen::Index> cells;  // cells of the dataset
     Eigen::LLT<Eigen::MatrixXd> covariance;
   };
 

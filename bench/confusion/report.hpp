@@ -23,8 +23,8 @@ struct Rate {
   double high() const;
 };
 
-// What of one part stands in the table and against which requirement. Effects whose oracle's
-// log-likelihood ratio is not above `visible` are listed, but do not count.
+// Table of the outcomes of one part, and the requirement. Effects whose oracle's log-likelihood
+// ratio is not above `visible` are listed, but do not count.
 std::string report(Part part, const std::vector<Outcome>& outcomes, double visible);
 
 // One line for each outcome that is not what it should be: seed, hidden, found.

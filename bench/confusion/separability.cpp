@@ -85,8 +85,8 @@ std::vector<std::vector<double>> starts(const Candidate& candidate) {
   return result;
 }
 
-// With the candidate in the model; coefficients start where they are and as the hardware says. What
-// is less likely than `near` after one refinement gets no other.
+// With the candidate in the model; coefficients start where they are and as the hardware says. A
+// model less likely than `near` after one refinement gets no other.
 Found with(const Fitting& fitting, const Model& model, const Candidate& candidate,
            double near = infinite) {
   constexpr std::size_t most = 3;

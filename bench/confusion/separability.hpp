@@ -1,5 +1,5 @@
-// Whether the readings of planted data tell the hidden cause from every other one, and from none,
-// at all.
+// Separability: tells if the readings of planted data distinguish the hidden cause from every other
+// one, and from none, at all.
 //
 //   margin    = ln L(hidden cause) - max over other causes of ln L(that cause in its place)
 //   over_none = ln L(hidden cause) - ln L(no cause in its place)
@@ -22,7 +22,7 @@ namespace reeve::bench {
 
 struct Separability {
   double margin = 0;
-  std::string nearest;  // of the other causes
+  std::string nearest;  // nearest of the other causes
   double over_none = 0;
 };
 

@@ -35,8 +35,8 @@ const std::vector<Part>& all_parts();
 struct Trial {
   Part part = Part::single;
   testing::PlantingPlan plan;
-  testing::AliasKind alias = testing::AliasKind::gain_or_offset;  // of part alias
-  testing::Dirt dirt = testing::Dirt::form;                       // of part dirty
+  testing::AliasKind alias = testing::AliasKind::gain_or_offset;  // kind of part alias
+  testing::Dirt dirt = testing::Dirt::form;                       // kind of part dirty
   std::uint64_t seed = 0;
 
   std::string kind() const;    // tube_friction, gain_or_offset, nothing
@@ -59,7 +59,7 @@ struct FoundGain {
   double possible = 0;  // by the truth
 };
 
-// Of one call of the diagnosis.
+// Result of one call of the diagnosis.
 struct Finding {
   Verdict verdict = Verdict::none;
   std::vector<std::string> named;
@@ -76,8 +76,8 @@ struct Outcome {
   Finding finding;
   std::optional<Finding> with_more;      // alias: with the separating rows; dirty: of that file
   std::optional<bool> copies_dropped;    // leakage: all copied rows, and nothing else
-  std::vector<FoundInterval> intervals;  // of causes named right
-  std::optional<FoundGain> gain;         // where the named causes are the hidden ones
+  std::vector<FoundInterval> intervals;  // intervals of causes named right
+  std::optional<FoundGain> gain;         // given if the named causes are the hidden ones
   std::string csv;
 };
 
@@ -85,13 +85,13 @@ MeasuredData parse_planted(const std::string& csv);
 
 Outcome run(const Trial& trial, const DiagnoseOptions& options);
 
-// Whether the named causes are just the hidden ones.
+// True if the named causes are just the hidden ones.
 bool names_all(const Outcome& outcome, const Finding& finding);
-// Whether some choice among the names that are said to explain the data alike is just what is
+// True if some choice among the names that are said to explain the data alike is just what is
 // hidden.
 bool names_among_others(const Outcome& outcome);
-// Whether a cause is named that is not hidden there, and not with the hidden one beside it as one
-// that explains the data alike.
+// True if a cause is named that is not hidden there, and that is not among causes that explain the
+// data alike together with the hidden one.
 bool names_wrong(const Outcome& outcome, const Finding& finding);
 
 }  // namespace reeve::bench

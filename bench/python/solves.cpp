@@ -2,7 +2,7 @@
 //
 //     reeve_solves SAMPLES WORD…
 //
-// SAMPLES is a file of doubles. Of each routing, with finger 1 held, a line: its word, the
+// SAMPLES is a file of doubles. Prints a line for each routing with finger 1 held: its word, the
 // processor's seconds for one solve with the paper's hardware, those for one in a loop over the
 // samples as friction coefficient of tubes and sheaths, and the sum of all tensions of that loop.
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The friction coefficient of the bearings differs from the hardware's.
+// The friction coefficient of the bearings differs from the nominal one.
 //
 //   phi = mu theta, mu free    (coefficients given for one finger or contact stay)
 //
@@ -14,7 +14,7 @@ class BearingFriction final : public Cause {
   const char* name() const override { return "bearing_friction"; }
   Reach reach() const override { return Reach::hardware; }
   const char* meaning() const override {
-    return "the friction coefficient of the bearings differs from the hardware's";
+    return "the friction coefficient of the bearings differs from the nominal one";
   }
   std::vector<Parameter> parameters(const Hardware& hardware) const override {
     return {{"mu", "1", hardware.bearing.mu, {0, 0.4}, Range{0.001, 0.005}}};

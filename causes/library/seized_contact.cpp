@@ -3,8 +3,10 @@
 //   s_k = 0 whatever the tensions    the tendon ends there on both sides (core/tension/seizure.hpp)
 //
 // No size: it is so or not.
+#include <algorithm>
+
 #include "causes/cause.hpp"
-#include "core/tension/seizure.hpp"
+#include "core/contact_name.hpp"
 
 namespace reeve::causes {
 namespace {
@@ -30,6 +32,17 @@ class SeizedContact final : public Cause {
   SubjectKind subject_kind() const override { return SubjectKind::contact; }
   std::string subject_name(const Subject& subject) const override {
     return subject.routing + "," + subject.contact;
+  }
+  bool is_also_named(const Subject& subject, std::string_view name,
+                     const Survey& survey) const override {
+    const std::size_t comma = name.rfind(',');
+    if (comma == std::string_view::npos || name.substr(0, comma) != subject.routing) return false;
+    return std::any_of(survey.routings.begin(), survey.routings.end(),
+                       [&](const SurveyedRouting& routing) {
+                         return routing.word == subject.routing &&
+                                find_contact(*routing.network, name.substr(comma + 1)) ==
+                                    find_contact(*routing.network, subject.contact);
+                       });
   }
   std::optional<std::size_t> seized_contact(const std::string& routing, const Network& network,
                                             const Effect& effect) const override {

@@ -13,9 +13,7 @@ class SensorGain final : public Cause {
  public:
   const char* name() const override { return "sensor_gain"; }
   Reach reach() const override { return Reach::reading; }
-  const char* meaning() const override {
-    return "one force sensor reads too much or too little, in proportion";
-  }
+  const char* meaning() const override { return "one force sensor has a gain error"; }
   std::vector<Parameter> parameters(const Hardware&) const override {
     return {{"gain", "1", 1, {0.2, 3}, Range{0.95, 1.05}}};
   }

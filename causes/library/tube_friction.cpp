@@ -1,4 +1,4 @@
-// The friction coefficient of the tubes differs from the hardware's.
+// The friction coefficient of the tubes differs from the nominal one.
 //
 //   phi = mu theta, mu free    (coefficients given for one finger or contact stay)
 //
@@ -14,7 +14,7 @@ class TubeFriction final : public Cause {
   const char* name() const override { return "tube_friction"; }
   Reach reach() const override { return Reach::hardware; }
   const char* meaning() const override {
-    return "the friction coefficient of the tubes differs from the hardware's";
+    return "the friction coefficient of the tubes differs from the nominal one";
   }
   std::vector<Parameter> parameters(const Hardware& hardware) const override {
     return {{"mu", "1", hardware.tube.mu, {0, 0.6}, Range{0.05, 0.20}}};

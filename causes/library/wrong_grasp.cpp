@@ -20,7 +20,7 @@ class WrongGrasp final : public Cause {
   std::vector<Subject> subjects(const Survey& survey) const override {
     std::vector<Subject> subjects;
     for (const SurveyedRouting& routing : survey.routings) {
-      for (const Grasp recorded : routing.recorded) add(routing, recorded, subjects);
+      for (const Grasp& recorded : routing.recorded) add(routing, recorded, subjects);
     }
     return subjects;
   }
@@ -34,7 +34,8 @@ class WrongGrasp final : public Cause {
 
  private:
   static void add(const SurveyedRouting& routing, Grasp recorded, std::vector<Subject>& subjects) {
-    // Of more fingers than this one is held at most: the sets of them are too many to try.
+    // With more fingers than this, at most one is held: the sets of held fingers are too many to
+    // try.
     constexpr int all_grasps_up_to = 4;
     const int fingers = routing.network->fingers;
     if (fingers == 0) return;

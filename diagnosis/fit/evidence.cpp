@@ -129,7 +129,7 @@ void spread_motor(Problem& problem, const VectorXd& beyond) {
 }  // namespace
 
 std::optional<SetReadings> set_readings(const Dataset& dataset) {
-  constexpr double wide = 30;  // of the median step from one reading to the next
+  constexpr double wide = 30;  // times the median step from one reading to the next
   constexpr std::size_t few = 3;
   constexpr double followed = 0.5;
   struct Pair {

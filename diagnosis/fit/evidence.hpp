@@ -6,10 +6,10 @@
 //
 // r are the residuals made independent by the covariance C of the bracket, nu their degrees of
 // freedom, and s0^2 = sum r^2 / nu is the likeliest. The shape of the bracket is taken from what a
-// reference model leaves within mountings. What a model explains less of may look like mountings
-// that differ or like motor tensions that scatter, so each model that is compared is given the
-// likeliest of a few levels g. The prior of the mountings' scatter tau = g_m tau_0 is the gamma
-// density tau e^{-tau/s} about the assumed scatter s (mounting_scatter.hpp).
+// reference model leaves within mountings. Readings that a model explains less well may look like
+// mountings that differ, or like motor tensions that scatter. So each model that is compared is
+// given the likeliest of a few levels g. The prior of the mountings' scatter tau = g_m tau_0 is the
+// gamma density tau e^{-tau/s} about the assumed scatter s (mounting_scatter.hpp).
 //
 // A reading farther than 3.5 s0 from its forecast scatters by as much more as it is farther: it
 // weighs like one at 3.5 s0, and costs the logarithm of the factor. Readings that are wrong by
@@ -42,10 +42,10 @@ struct SetReadings {
   bool several = false;  // clusters, which tell that scatter from what friction does
 };
 
-// Where readings come in clusters, such as those of a few weights, in which the motor tension
-// scatters by more than the readings and these do not follow: the slope within clusters is less
-// than half of that between them, or readings that are all the same say so themselves. Nothing
-// otherwise.
+// Returns the scatter of the motor tension about readings that were set, such as those of a few
+// weights. The readings come in clusters, and the motor tension scatters in them by more than the
+// readings. These do not follow it: the slope within clusters is less than half of that between
+// them, or the readings of each are all the same. Returns nothing otherwise.
 std::optional<SetReadings> set_readings(const Dataset& dataset);
 
 // The readings must leave something beside the reference model.

@@ -17,7 +17,7 @@ struct Fit {
   double misfit = 0;  // Σ e²
 };
 
-// Whether the fitted model has tensions at all; otherwise its misfit is beyond any number.
+// True if the fitted model has tensions at all; otherwise its misfit is infinite.
 bool has_tensions(const Fit& fit);
 
 // From the model's own values.
@@ -30,7 +30,7 @@ Fit fit(const Problem& problem, const Model& model, std::size_t effect,
 
 bool same_effect(const Effect& a, const Effect& b);
 
-// Where the model has the effect, whatever its size.
+// Returns the index of the effect in the model, whatever its size.
 std::size_t place(const Model& model, const Effect& effect);
 
 // Adds an effect to a copy and says where it went.

@@ -61,7 +61,7 @@ class BlockForecast {
     }
   }
 
-  // Whether the tensions of all its rows are in range.
+  // True if the tensions of all its rows are in range.
   bool run() {
     const TensionState* state = nullptr;
     for (const std::size_t r : block_.rows) {
@@ -91,7 +91,8 @@ class BlockForecast {
     return state;
   }
 
-  // Of the row's cells; a sensor reads also what its neighbours carry that have no cell.
+  // Returns the readings of the row's cells. A sensor also reads a share of its neighbours'
+  // tensions, even where these have no cell.
   Eigen::VectorXd readings(const DatasetRow& row, const TensionState& state, double scale) {
     for (std::size_t s = 0; s < sensors_.size(); ++s) {
       sensors_[s].reading_N = scale * state.tension[segments_[s]];
@@ -165,7 +166,7 @@ class BlockForecast {
     return (above - at(-step_N)) / (2 * step_N);
   }
 
-  // Of the row's readings against the scale.
+  // Returns the slope of the row's readings against the scale.
   Eigen::VectorXd slope(const DatasetRow& row, const TensionState& state, double scale) {
     if (linear_) return readings(row, state, 1) - readings(row, state, 0);
     constexpr double step = 1e-6;  // as a share of the scale
@@ -214,9 +215,9 @@ class BlockForecast {
   bool by_row_;
   bool by_load_;
   bool linear_;
-  std::vector<Sensor> sensors_;        // of the channels that the routing has
-  std::vector<std::size_t> segments_;  // parallel: in the network
-  std::vector<std::size_t> place_;     // of each channel, among the sensors
+  std::vector<Sensor> sensors_;        // sensors of the routing's channels
+  std::vector<std::size_t> segments_;  // segments in the network, parallel to the sensors
+  std::vector<std::size_t> place_;     // index of each channel among the sensors
   Forecast& forecast_;
   RowContacts* contacts_;
   bool in_range_ = true;

@@ -1,4 +1,4 @@
-// What the sensors should read, under a model, in each cell of a dataset.
+// Forecast: expected readings of the sensors under a model, in each cell of a dataset.
 //
 //   with motor tension      p = reading(T_in t), T_in = at_tendon(T_M)
 //   without                 p = reading(S t); the scale S of the row is such that the forecasts add

@@ -28,7 +28,7 @@ MatrixXd inverse_square(const MatrixXd& jacobian) {
   return inverse_of_symmetric(jacobian.transpose() * jacobian);
 }
 
-// What each run says of a model's parameters, to first order about a fit: H_r = J_rᵀ J_r and
+// The equations of one run for a model's parameters, to first order about a fit: H_r = J_rᵀ J_r and
 // g_r = J_rᵀ e_r, with the rows of the residuals e and sensitivities J that belong to run r, in
 // units of the noise.
 struct RunEquations {
@@ -93,7 +93,7 @@ struct ScatterOfAll {
 
 ScatterOfAll scatter_of_all(const std::vector<RunEquations>& runs, const VectorXd& scale) {
   ScatterOfAll shared;
-  // Of many runs each has a small share in what all know.
+  // The more runs there are, the smaller is the share of each in the common estimate.
   const double least = std::min(least_share, 0.1 / static_cast<double>(runs.size()));
   for (const RunEquations& run : runs) {
     const MatrixXd scaled = scale.asDiagonal() * run.square * scale.asDiagonal();
@@ -136,7 +136,7 @@ class Spreads {
 
   Spread of_known_scatter(Index parameter) const {
     const double all = known(parameter);
-    // What readings alone hardly tell may have any variance by rounding.
+    // If the readings alone hardly determine the parameter, rounding may give it any variance.
     const double shared = all > 0 ? std::clamp(1 - own_variance_[parameter] / all, 0.0, 1.0) : 0;
     const double degrees =
         1 / ((1 - shared) * (1 - shared) / degrees_ + shared * shared / mounting_degrees_);

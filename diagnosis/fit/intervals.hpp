@@ -34,7 +34,7 @@ struct ParameterInterval {
   double low = 0;
   double high = 0;
   double deviation = 0;  // standard error; infinite where no slope tells it
-  double degrees = 1;    // of Student's t that its half-width is of
+  double degrees = 1;    // degrees of freedom of Student's t for the half-width
 };
 
 // Parallel to the effects and their parameters.

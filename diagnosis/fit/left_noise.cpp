@@ -22,13 +22,14 @@ double weight(double reading_N, double middle_N) {
   return 1 / (std::abs(reading_N) + 0.1 * middle_N);
 }
 
-// What a scattering motor tension does to the readings of one row, weighed and of length 1.
+// Effect of a scattering motor tension on the readings of one row, weighed and of length 1.
 struct MotorAxis {
-  std::vector<Eigen::Index> places;  // among the cells of a mounting
+  std::vector<Eigen::Index> places;  // indices among the cells of a mounting
   Eigen::VectorXd axis;
 };
 
-// Of the rows of a mounting with more than one reading: beside their axes nothing of them is known.
+// Returns the axes of a mounting's rows with more than one reading. Nothing is known of these
+// readings beside their axes.
 std::vector<MotorAxis> motor_axes(const std::vector<Eigen::Index>& cells,
                                   const std::vector<std::size_t>& row_of,
                                   const Eigen::VectorXd& weighted_by_scale,
@@ -48,7 +49,7 @@ std::vector<MotorAxis> motor_axes(const std::vector<Eigen::Index>& cells,
   return axes;
 }
 
-// What would be left of a column that is all along the axes is rounding.
+// If a column lies along the axes altogether, its remainder is rounding and is set to 0.
 void take_out(const std::vector<MotorAxis>& axes, Eigen::MatrixXd& columns) {
   constexpr double of_rounding = 1e-6;
   const Eigen::RowVectorXd before = columns.colwise().norm();
@@ -116,7 +117,7 @@ double far_off(const std::vector<MountedResiduals>& mounted) {
 Noise noise_left_by(const Dataset& dataset, const Model& model) {
   const auto cells = static_cast<Eigen::Index>(dataset.cells.size());
   Problem plain = problem(dataset, Eigen::VectorXd::Constant(cells, sure_N));
-  plain.motor_deviation_N.resize(0);  // that is part of what is left
+  plain.motor_deviation_N.resize(0);  // the residuals include this scatter
   const Forecast at = forecast(dataset, model);
   return noise_of_residuals(dataset, at, sure_N * own_residuals(plain, at),
                             static_cast<double>(parameter_count(model)));

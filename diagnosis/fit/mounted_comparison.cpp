@@ -16,10 +16,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Of one routing; more say little more about four numbers, and cost the cube.
+// Mountings compared per routing. More tell little more about four numbers, and the cost grows with
+// the cube.
 constexpr std::size_t most_mountings = 12;
 
-// What any model of a routing could say of its mountings together.
+// Columns that any model of a routing could explain in all its mountings together.
 class CommonColumns {
  public:
   CommonColumns(const Problem& problem, const Forecast& at)
@@ -62,7 +63,8 @@ class CommonColumns {
   VectorXd absolute_;
 };
 
-// What goes with cycle and temperature at each kind of contact, and with the order at each channel.
+// Returns columns for the effects of cycle and temperature at each kind of contact, and of the
+// order at each channel.
 MatrixXd condition_columns(const Problem& problem, const MountingModes& modes) {
   const Dataset& dataset = *problem.dataset;
   constexpr Index conditions = 4;
@@ -99,7 +101,7 @@ class MountedComparison {
     residuals_ = own_residuals(problem, at);
     conditions_ = without_scales(condition_columns(problem, modes));
     loadings_ = without_scales(problem.deviation_N.cwiseInverse().asDiagonal() * modes.by_share_N);
-    // What differs between groups of rows is no scatter of mountings.
+    // A difference between groups of rows is no scatter of mountings.
     std::map<std::pair<std::size_t, std::optional<std::size_t>>, std::vector<Mounting>> comparable;
     for (Mounting& mounting : mountings(*problem.dataset)) {
       comparable[{mounting.routing, group_of(mounting)}].push_back(std::move(mounting));
@@ -143,15 +145,15 @@ class MountedComparison {
   }
 
  private:
-  // Of one routing, with everything taken out that its mountings have in common.
+  // The mountings of one routing, with everything taken out that they have in common.
   struct Part {
-    Index first = 0;  // of its perturbations among all
+    Index first = 0;  // index of its first perturbation among all
     MatrixXd loadings;
     MatrixXd conditions;
     VectorXd residuals;
   };
 
-  // That of its first reading.
+  // Returns the group of the mounting's first reading.
   std::optional<std::size_t> group_of(const Mounting& mounting) const {
     const Dataset& dataset = *problem_.dataset;
     const auto first = static_cast<std::size_t>(mounting.cells.front());

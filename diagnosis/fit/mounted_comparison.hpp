@@ -1,4 +1,4 @@
-// What differs between mountings of the same routing in the same group of rows.
+// Differences between mountings of the same routing in the same group of rows.
 //
 // Residuals y in units of the readings' own noise; in each routing everything that its mountings
 // have in common is taken out, whatever it is: the mean of each channel in each grasp and
@@ -25,7 +25,7 @@ struct MountedEquations {
   std::vector<Eigen::MatrixXd> squares;  // B of each routing that is mounted more than once
   Eigen::MatrixXd shared;                // S
   Eigen::VectorXd along;                 // b
-  std::vector<Mounted> kind;             // of each thing that a mounting changes
+  std::vector<Mounted> kind;             // kind of each thing that a mounting changes
   std::size_t mounted_again = 0;         // mountings of a routing that was mounted before
 };
 

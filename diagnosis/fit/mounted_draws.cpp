@@ -66,7 +66,7 @@ MountedDraws::MountedDraws(const Dataset& dataset, const Model& model,
 
 MountedScatter MountedDraws::of_a_rig(std::uint64_t seed, std::uint32_t stream,
                                       std::uint64_t first) const {
-  constexpr double fewest = 4;  // of fewer τ' would have no mean square
+  constexpr double fewest = 4;  // with 2 or fewer, τ' would have no mean square
   MountedScatter result = scatter_.relative;
   for (std::size_t kind = 0; kind < mounted_kinds; ++kind) {
     const double u = uniform(seed, stream, first + kind);

@@ -30,7 +30,7 @@ class MountedDraws {
   struct Part {
     std::vector<Eigen::Index> cells;
     Dataset dataset;
-    Eigen::VectorXd reading_N;  // of the model as it is
+    Eigen::VectorXd reading_N;  // readings of the unchanged model
   };
 
   MountedScatter of_a_rig(std::uint64_t seed, std::uint32_t stream, std::uint64_t first) const;
@@ -39,7 +39,7 @@ class MountedDraws {
   MountingScatter scatter_;
   std::size_t cells_ = 0;
   std::size_t channels_ = 0;
-  std::size_t most_contacts_ = 0;  // of one kind in one routing
+  std::size_t most_contacts_ = 0;  // greatest number of one kind in one routing
   std::vector<Part> parts_;
 };
 

@@ -47,7 +47,8 @@ struct NumberedContact {
   std::size_t number = 0;
 };
 
-// Whether some routing has both: otherwise what they do together is what each does alone.
+// True if some routing has both contacts; otherwise their joint effect is the sum of the single
+// ones.
 bool stand_together(const Dataset& dataset, const NumberedContact& a, const NumberedContact& b) {
   const auto has = [](const Network& network, const NumberedContact& contact) {
     const auto count =

@@ -1,5 +1,5 @@
-// What mounting a routing anew changes: the readings of one mounting (one routing in one run) share
-// what it did to the friction of each contact and to the gain of each channel.
+// Mounting scatter: the readings of one mounting (one routing in one run) share its effects on the
+// friction of each contact and on the gain of each channel.
 //
 //   φ_c = φ (1 + τ z_c),   T_j = T_j (1 + τ z_j),   z standard normal, new in each mounting
 //
@@ -59,10 +59,11 @@ std::vector<Mounting> mountings(const Dataset& dataset);
 // One column for each thing that a mounting changes: the n-th contact of a kind in the routing's
 // network, or a channel. It acts in each mounting by itself.
 struct MountingModes {
-  std::vector<Mounted> kind;   // of each column
-  Eigen::MatrixXd by_share_N;  // of each cell: its change by a relative change of the thing
+  std::vector<Mounted> kind;   // kind of thing of each column
+  Eigen::MatrixXd by_share_N;  // change of each cell by a relative change of the thing
 
-  // Of two exponents; with itself: half the second derivative times √2, the deviation of z².
+  // Joint effect of two exponents; with itself: half the second derivative times √2, the deviation
+  // of z².
   struct Pair {
     Mounted first = Mounted::sheath;
     Mounted second = Mounted::sheath;

@@ -54,7 +54,7 @@ class Covariance {
     return known + solved_ * rest_.solve(shared_.transpose() * known);
   }
 
-  // Of C⁻¹.
+  // Returns the diagonal of C⁻¹.
   VectorXd inverse_diagonal() const {
     VectorXd result(tau_.size());
     Index first = 0;
@@ -79,7 +79,7 @@ class Covariance {
   }
 
   VectorXd tau_;
-  std::vector<Eigen::LLT<MatrixXd>> blocks_;  // of P
+  std::vector<Eigen::LLT<MatrixXd>> blocks_;  // factors of the blocks of P
   MatrixXd shared_;                           // U
   MatrixXd solved_;                           // P⁻¹ U
   Eigen::LLT<MatrixXd> rest_;                 // I − Uᵀ P⁻¹ U
@@ -92,7 +92,7 @@ double misfit(const MountedEquations& equations, const MountedScatter& scatter) 
   return covariance.log_determinant() - along.dot(covariance.solve(along));
 }
 
-// Of each perturbation, 1 − its variance given the readings over that without them; summed by kind.
+// Sums by kind, over the perturbations, 1 − variance given the readings / variance without them.
 std::array<double, mounted_kinds> told_by(const MountedEquations& equations,
                                           const MountedScatter& scatter) {
   std::array<double, mounted_kinds> result{};
@@ -141,8 +141,8 @@ MountingScatter believed(MountingScatter scatter) {
 MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
                                  const MountingModes& modes, std::optional<double> given) {
   constexpr int evaluations = 60;
-  constexpr double finely = 1e-3;  // of the logarithms' range; readings tell far less
-  constexpr double least = 1e-3;   // of the assumed one
+  constexpr double finely = 1e-3;  // share of the logarithms' range; readings resolve far less
+  constexpr double least = 1e-3;   // times the assumed scatter
   constexpr double most = 20;
   MountingScatter result;
   result.given = given.has_value();

@@ -41,12 +41,12 @@ struct MountingScatter {
   bool is_bounded = false;                    // to what is believed, where readings would say more
 };
 
-// Whether the readings tell it.
+// True if the readings determine the scatter of this kind.
 bool is_told(const MountingScatter& scatter, Mounted kind);
 
-// Whether the readings seem to tell more than can be believed of mountings.
+// True if the readings suggest more scatter than mountings can plausibly have.
 bool is_beyond_belief(const MountingScatter& scatter);
-// No more than that.
+// Limits the scatter to the greatest plausible one.
 MountingScatter believed(MountingScatter scatter);
 
 // The problem's residuals must not be whitened yet. `given` is what the user knows of exponents; of

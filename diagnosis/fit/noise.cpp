@@ -41,7 +41,7 @@ std::optional<Noise> noise_told_by(const Dataset& dataset, Runs runs) {
   return noise;
 }
 
-// What the file says of the reading, N; 0 if nothing.
+// Returns the reading's error as the file gives it, N; 0 if it gives none.
 double own_error(const Dataset& dataset, const Cell& cell) {
   const auto& errors = dataset.data->readings[cell.reading].error_N;
   return cell.channel < errors.size() ? errors[cell.channel].value_or(0) : 0;

@@ -36,12 +36,12 @@ enum class NoiseSource : std::uint8_t {
   smoothing,
   repeats_and_smoothing,
   residuals,
-  known,  // of every channel
+  known,  // given for every channel
 };
 const char* noise_source_name(NoiseSource source);
 
 struct Noise {
-  double relative = 0;    // of the reading, 1
+  double relative = 0;    // share of the reading, 1
   double absolute_N = 0;  // N; at least a thousandth of the median reading, so that a reading of 0
                           // does not weigh infinitely
   NoiseSource source = NoiseSource::residuals;
@@ -49,7 +49,7 @@ struct Noise {
   bool within_mountings = true;    // otherwise it contains what differs between them
   std::vector<double> of_group{};  // f, parallel to the data's groups; empty: they scatter alike
 
-  double deviation(double tension_N) const;  // of all groups together
+  double deviation(double tension_N) const;  // noise of all groups together
   double scale_of(const Reading& reading) const;
 };
 

@@ -10,7 +10,7 @@
 namespace reeve::diagnosis {
 namespace {
 
-// Of the length of a column: what is shorter after projection was rounding.
+// Share of a column's length: a shorter remainder after projection is rounding.
 constexpr double rounding = 1e-5;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What chance alone does: residuals as they would be if the current model were right.
+// Null model: residuals as chance alone makes them, if the current model is right.
 //
 // Each replicate draws mountings and normal readings about the model's, and fits the model's
 // parameters again (to first order: their sensitivities, and the scales of rows without motor
@@ -18,7 +18,8 @@
 
 namespace reeve::diagnosis {
 
-// Of what the columns span; columns that others explain up to rounding add nothing.
+// Returns a basis of the span of the columns. Columns that others explain up to rounding add
+// nothing.
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns);
 
 // Takes the sensitivities of a model's parameters out of other vectors.
@@ -39,8 +40,8 @@ class Projection {
 
 class NullModel {
  public:
-  // What is given must outlive it. Mountings are drawn to second order, or by `mounted` if that is
-  // given.
+  // The arguments must outlive the object. Mountings are drawn to second order, or by `mounted` if
+  // that is given.
   NullModel(const Problem& problem, const Projection& projection, const Forecast& at,
             std::uint64_t seed, std::size_t replicates, const MountedDraws* mounted = nullptr);
 
@@ -58,7 +59,7 @@ class NullModel {
   Eigen::MatrixXd draw(std::size_t first, std::size_t count) const;
   // Before the model's own parameters are taken out.
   Eigen::VectorXd draw_one(std::size_t replicate) const;
-  // What the motor tensions do that scatter, in units of the readings' own noise.
+  // Adds the effects of motor tensions that scatter, in units of the readings' own noise.
   void add_motor_draws(std::uint32_t stream, Eigen::VectorXd& drawn) const;
 
   const Problem& problem_;

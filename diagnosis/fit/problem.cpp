@@ -15,7 +15,7 @@ namespace {
 using Eigen::Index;
 
 double rectified(double reading_N, double deviation_N) {
-  constexpr double far = 4;  // what is cut off there is below 1e-5 of the noise
+  constexpr double far = 4;  // the part cut off there is below 1e-5 of the noise
   const double z = reading_N / deviation_N;
   if (z > far) return reading_N;
   const double below = 0.5 * std::erfc(-z * std::numbers::sqrt2 / 2);
@@ -32,8 +32,8 @@ std::optional<Forecast> moved(const Problem& problem, Model model, std::size_t e
   return try_forecast(*problem.dataset, model);
 }
 
-// Of a row: what a change of its scale does to its cells, in units of the noise and of length 1,
-// and the share of that which is no news.
+// Effect of a change of one row's scale on its cells, in units of the noise and of length 1.
+// `share` of it is taken out of the residuals.
 struct ScaleAxis {
   Index first = 0;
   Index size = 0;
@@ -75,10 +75,10 @@ Eigen::VectorXd shared_variance(const Problem& problem) {
   return variance;
 }
 
-// What one standard deviation of each thing does, in units of the readings' own noise.
+// Returns the effect of one standard deviation of each thing, in units of the readings' own noise.
 Eigen::MatrixXd loadings_of(const Problem& problem, const MountingModes& modes,
                             const MountedScatter& scatter) {
-  // Of all readings together: what is less nobody sees.
+  // Norm over all readings, in units of the noise. A smaller effect cannot be seen.
   constexpr double least = 0.3;
   const auto tau = [&](Mounted kind) { return scatter[static_cast<std::size_t>(kind)]; };
   const Eigen::VectorXd per_noise = problem.deviation_N.cwiseInverse();
@@ -190,7 +190,8 @@ void share_scatter(Problem& problem, const MountingModes& modes, const MountedSc
 }
 
 Problem part_of(const Problem& whole, const Dataset& dataset) {
-  std::map<std::pair<std::size_t, std::size_t>, Index> place;  // of reading and channel
+  // index of the cell by reading and channel
+  std::map<std::pair<std::size_t, std::size_t>, Index> place;
   for (std::size_t k = 0; k < dataset.cells.size(); ++k) {
     place[{dataset.cells[k].reading, dataset.cells[k].channel}] = static_cast<Index>(k);
   }
@@ -236,7 +237,7 @@ Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast) {
 Eigen::VectorXd noise_variance(const Problem& problem, const Forecast& at) {
   Eigen::VectorXd variance = problem.deviation_N.cwiseAbs2();
   for_each_scale(problem, at, [&](const ScaleAxis& scale) {
-    if (scale.share < 1) return;  // what scatters leaves residuals as independent as any
+    if (scale.share < 1) return;  // a scale that scatters leaves the residuals independent
     variance.segment(scale.first, scale.size).array() *= 1 - scale.axis.array().square();
   });
   variance += shared_variance(problem);
@@ -282,7 +283,7 @@ Eigen::MatrixXd sensitivity(const Problem& problem, const Model& model, const Fo
     const std::optional<Forecast> above = moved(problem, model, effect, p, up);
     const std::optional<Forecast> below = moved(problem, model, effect, p, down);
     if (above && below && problem.motor_deviation_N.size() > 0) {
-      // What the true motor tensions are, turns with the model.
+      // The estimated true motor tensions change with the model.
       column = (residuals(problem, *below) - residuals(problem, *above)) / (up - down);
     } else if (above && below) {
       column = (difference(problem, at, *above) - difference(problem, at, *below)) / (up - down);

@@ -37,12 +37,12 @@ namespace reeve::diagnosis {
 struct Problem {
   const Dataset* dataset = nullptr;  // must outlive the problem
   Eigen::VectorXd measured_N;
-  Eigen::VectorXd deviation_N;  // of each reading by itself
-  // Of each row's motor tension; empty where all are what they read.
+  Eigen::VectorXd deviation_N;  // noise of each reading by itself
+  // Standard deviation of each row's motor tension; empty if all are exact.
   Eigen::VectorXd motor_deviation_N;
   std::vector<bool> clips;  // parallel to the cells: cannot read below 0
   Whitening shared;         // none: readings scatter independently
-  double force_scale = 1;   // of ranges in newton
+  double force_scale = 1;   // scale of ranges in newton
 };
 
 // The cause's parameters with ranges that go with the loads of the data.
@@ -51,8 +51,9 @@ std::vector<Parameter> searched_parameters(const Cause& cause, const Hardware& h
 
 Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N);
 
-// What motor tensions scatter by at what they truly are, by their own reading and the others of the
-// row: readings that chance made small would weigh more than those that it made large.
+// Sets the motor tensions' standard deviations at their estimated true values, from their own
+// reading and the others of the row. At the readings themselves, readings that chance made small
+// would weigh more than those that it made large.
 void settle_motor_deviations(Problem& problem, const Forecast& at);
 
 // Readings of a mounting share what these things do that scatter so much.
@@ -82,7 +83,8 @@ Eigen::VectorXd total_deviations(const Problem& problem);
 // Σ e²; infinite where the model has no tensions.
 double misfit(const Problem& problem, const Model& model);
 
-// Of the covariance of the readings, in N², but for what is free or scatters of their rows' scales.
+// Returns ln det of the covariance of the readings, in N², without the free or scattering scales of
+// their rows.
 double log_determinant(const Problem& problem);
 
 // A difference of forecasts, seen from `at`, in units of the noise.
@@ -92,7 +94,7 @@ Eigen::VectorXd difference(const Problem& problem, const Forecast& at, const For
 // tensions beside it.
 Eigen::MatrixXd sensitivity(const Problem& problem, const Model& model, const Forecast& at,
                             std::size_t effect);
-// Of all effects side by side.
+// Returns the sensitivities of all effects side by side.
 Eigen::MatrixXd sensitivities(const Problem& problem, const Model& model, const Forecast& at);
 
 std::size_t parameter_count(const Model& model);

@@ -11,10 +11,10 @@
 namespace reeve::diagnosis {
 namespace {
 
-constexpr double floor_share = 1e-3;  // of the median reading
+constexpr double floor_share = 1e-3;  // times the median reading
 constexpr double least_relative = 1e-5;
 constexpr double surely = 0.999;
-// Of a group, so that its scatter is known to 18 %.
+// Effective readings of a group that determine its scatter to 18 %.
 constexpr double enough_of_group = 15;
 
 // The square is that of a residual in units of its scatter.

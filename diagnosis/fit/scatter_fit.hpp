@@ -1,5 +1,5 @@
-// Which noise (noise.hpp) is the likeliest for samples of it, of all rows alike or of each group of
-// rows by itself.
+// Fits the likeliest noise (noise.hpp) to samples of it, of all rows alike or of each group of rows
+// by itself.
 //
 //   v = f_g² (absolute² + (relative T)²) + what is known of the motor tension
 //   −2 ℓ = Σ k ln v + r² / v,   r² / (k v) beyond 3.5² as in robust_misfit of evidence.hpp

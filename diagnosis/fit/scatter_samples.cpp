@@ -14,7 +14,7 @@ namespace {
 
 using CellGroup = std::vector<std::size_t>;  // cells
 
-// Of a reading that goes with the motor tension.
+// Returns the variance of a reading in proportion to the motor tension, N².
 double motor_variance_of_reading(const DatasetRow& row, double reading_N) {
   return motor_variance(row, reading_N / row.conditions.motor_tension_N);
 }
@@ -74,7 +74,7 @@ void smooth(const Dataset& dataset, const std::vector<std::size_t>& rows, const 
     weight[i] = motor / (measured + 0.1 * level);
   }
   const Eigen::MatrixXd weighted = weight.asDiagonal() * columns;
-  // What is the same in every row of a run is one with the runs' levels.
+  // A column that is the same in every row of a run is one with the runs' levels.
   const Eigen::MatrixXd q = orthonormal_columns(weighted);
   const Eigen::VectorXd scaled = weight.cwiseProduct(ratio);
   const Eigen::VectorXd left = scaled - q * (q.transpose() * scaled);

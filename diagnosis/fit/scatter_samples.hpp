@@ -18,15 +18,15 @@ struct ScatterSample {
   double level_N = 0;
   double residual_N = 0;
   double kept = 1;
-  double motor_variance_N2 = 0;  // of what its row's motor tension is known to bring
+  double motor_variance_N2 = 0;  // from the known scatter of its row's motor tension
   std::size_t row = 0;           // in the dataset
-  double scale = 1;              // of its group's noise over that of all
+  double scale = 1;              // its group's noise over that of all
 };
 
-// Whether runs have levels of their own.
+// Runs have levels of their own, or share one.
 enum class Runs : std::uint8_t { by_themselves, alike };
 
-// Of those above 0; 1 N of none.
+// Returns the median of the readings above 0; 1 N if there are none.
 double median_reading(const Dataset& dataset);
 // Parallel to the channels: whether its readings tell of a noise that is to be estimated. Not where
 // somebody knows it, nor where all are 0: what a dead sensor scatters by is no noise of the others.

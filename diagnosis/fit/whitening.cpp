@@ -13,7 +13,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 SharedScatter shared_scatter(std::vector<Index> cells, MatrixXd loadings, const MatrixXd& seen) {
-  // Of the readings' own noise: what scatters less than this is not worth an axis.
+  // Smallest S², in units of the readings' own noise variance. An axis that scatters less is left
+  // out.
   constexpr double least = 1e-6;
   SharedScatter result{std::move(cells), {}, {}, std::move(loadings)};
   const SymmetricAxes across = symmetric_axes(seen.transpose() * seen);

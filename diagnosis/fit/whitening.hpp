@@ -18,12 +18,12 @@
 
 namespace reeve::diagnosis {
 
-// Of the readings of one mounting.
+// Scatter that the readings of one mounting share.
 struct SharedScatter {
   std::vector<Eigen::Index> cells;
   Eigen::MatrixXd axes;    // U, a row for each of the cells
   Eigen::VectorXd shrunk;  // 1 − (1 + S²)^{-1/2}
-  // What one standard deviation of each thing does to the cells, in units of their noise, before
+  // Effect of one standard deviation of each thing on the cells, in units of their noise, before
   // free scales are taken out.
   Eigen::MatrixXd loadings;
 };

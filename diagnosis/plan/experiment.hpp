@@ -26,13 +26,13 @@
 
 namespace reeve::diagnosis {
 
-// What a condition takes: a range, or the levels of a list if it has any.
+// Values of a condition: a range, or the levels of a list if it has any.
 struct PlannedLevels {
   Range range;
   std::vector<double> list;
 };
 
-// What is recorded besides: in each reading another value, or in each run.
+// A further recorded column, with another value in each reading, or in each run.
 struct PlannedColumn {
   std::string name;
   PlannedLevels levels;
@@ -54,11 +54,12 @@ struct ExperimentPlan {
   std::optional<PlannedLevels> speed_mm_s;
   std::optional<PlannedLevels> cycle;
   std::optional<PlannedLevels> temperature_C;
-  std::optional<PlannedLevels> sheath_angle_rad;  // of all sheaths; without it, the hardware's
+  // angle of all sheaths; without it, the hardware's
+  std::optional<PlannedLevels> sheath_angle_rad;
   std::vector<PlannedColumn> columns{};
   std::vector<Segment> channels;
   std::size_t runs = 12;
-  std::size_t rows = 20;    // of a run: conditions that are set
+  std::size_t rows = 20;    // settings of the conditions per run
   std::size_t repeats = 1;  // readings under each
 };
 
@@ -82,7 +83,7 @@ struct PlannedReading {
 // In the order in which they are taken.
 std::vector<PlannedReading> schedule(const ExperimentPlan& plan, std::uint64_t seed);
 
-// Which causes the experiment could show. Points into the plan.
+// Returns the kinds of cause that the experiment could show. Points into the plan.
 Survey survey(const ExperimentPlan& plan);
 
 }  // namespace reeve::diagnosis

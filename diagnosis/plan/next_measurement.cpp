@@ -17,9 +17,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double normal_quantile = 1.959963984540054;  // of 95 %, both sides
-// Of which a separation must be worth at least this, or it would never decide.
+constexpr double normal_quantile = 1.959963984540054;  // two-sided, 95 %
+// Least log-likelihood that a separation must be expected to bring; with less it would never
+// decide.
 constexpr double least_log_likelihood = 0.5;
+// Narrowing an interval by less than half a percent is no reason to measure.
+constexpr double least_narrowing = 0.005;
 // A reading beyond so many times whatever the rig has shown or the motor pulls is no advice:
 // sensors need not reach there, and no model was ever tried there.
 constexpr double outlier_beyond = 3;
@@ -261,8 +264,8 @@ std::optional<PlannedMeasurement> separating_measurement(const MeasurementPlan& 
   });
   if (best) {
     best->why = fmt::format(
-        "{} and {} say something else there: {} readings are expected to bring "
-        "{:.3g} in log-likelihood to whichever is right",
+        "{} and {} predict different tensions there: {} readings are expected to favour "
+        "the right one by {:.3g} nats",
         name_a, name_b, planned_readings, best->expected_log_likelihood);
   }
   return best;
@@ -285,7 +288,7 @@ std::optional<PlannedMeasurement> shrinking_measurement(const MeasurementPlan& p
     if (rows.rows() == 0) return;
     const double then =
         width(information + planned_readings * (rows.transpose() * rows), parameter);
-    if (then >= now || (best && then >= 0.99 * best->width_expected)) return;
+    if (then > (1 - least_narrowing) * now || (best && then >= 0.99 * best->width_expected)) return;
     best = PlannedMeasurement{};
     best->measurement = at;
     best->width_now = now;
@@ -298,8 +301,8 @@ std::optional<PlannedMeasurement> shrinking_measurement(const MeasurementPlan& p
   const Effect& named = model.effects[effect];
   best->parameter = named.cause->parameters(model.hardware).front().name;
   best->why = fmt::format(
-      "it says most about {} of {}: {} readings are expected to narrow what "
-      "noise leaves open of it by {:.0f} %",
+      "it reduces the uncertainty of {} of {} most: {} readings are expected to narrow its 95 % CI "
+      "by {:.0f} %",
       best->parameter, effect_name(named), planned_readings,
       100 * (1 - best->width_expected / now));
   return best;

@@ -1,4 +1,4 @@
-// Which measurement to make next.
+// Chooses the next measurement.
 //
 // Candidates are steady readings of every strand in the given routings, in each grasp that leaves
 // something to close, both directions, at motor tensions, speeds, cycles and temperatures within
@@ -35,16 +35,16 @@ struct Measurement {
   Grasp grasp;
   Direction direction = Direction::pull;
   Conditions conditions;
-  // Which of the conditions the measurement needs; the others do not matter to it.
+  // True for each condition that the measurement needs; the others do not matter to it.
   bool uses_speed = false;
   bool uses_cycle = false;
   bool uses_temperature = false;
 };
 
-// What one sensor should read there.
+// Expected reading of one sensor.
 struct ExpectedReading {
   std::string segment;     // T1, a, h1
-  double expected_N = 0;   // of the extended model; separating: if the first explanation is right
+  double expected_N = 0;   // by the extended model; separating: if the first explanation is right
   double other_N = 0;      // separating: if the second is; otherwise the same
   double deviation_N = 0;  // standard deviation of the noise
 };
@@ -53,7 +53,8 @@ struct PlannedMeasurement {
   Measurement measurement;
   std::string why;  // one sentence
   std::vector<ExpectedReading> expected;
-  // Of `planned_readings` of it. Separating: log-likelihood in favour of what is right.
+  // Expected from `planned_readings` such readings. Separating: log-likelihood in favour of the
+  // true explanation.
   double expected_log_likelihood = 0;
   // Shrinking: width of the interval, now and expected.
   std::string parameter;

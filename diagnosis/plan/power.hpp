@@ -20,13 +20,14 @@ namespace reeve::diagnosis {
 MeasurementPlan measurement_plan(const MeasuredData& data,
                                  const std::vector<MeasurableRouting>& further, const Noise& noise);
 
-// Of explanations that the data cannot tell apart, the first from the first other one that some
-// measurement tells from it; some nothing on this rig does.
+// Returns the measurement that separates the first of several indistinguishable explanations from
+// the first other one that can be separated from it. Returns nothing if no measurement on this rig
+// separates any.
 std::optional<PlannedMeasurement> separating_measurement(const MeasurementPlan& plan,
                                                          const std::vector<Model>& models,
                                                          const std::vector<std::string>& names);
 
-// What a diagnosis comes to, for who knows the truth.
+// Outcome of a diagnosis if the hidden causes are known.
 enum class Finding : std::uint8_t {
   found,  // all hidden causes named and no others; nothing named if nothing is hidden
   wrong,  // others named, or not all of them

@@ -27,7 +27,7 @@ class Rig {
     }
   }
 
-  // What the channels read without noise.
+  // Returns the readings of the channels without noise.
   std::vector<std::optional<double>> read(const PlannedReading& planned) {
     const Grasp grasp = actual_grasp(model_, routing_.word, planned.grasp);
     const Conditions conditions = at_tendon(model_, planned.direction, planned.conditions);

@@ -19,7 +19,7 @@ namespace reeve::diagnosis {
 struct AddedNoise {
   double relative = 0.02;
   double absolute_N = 0.05;
-  double motor_relative = 0;  // of the motor tension that is written, not of the one that pulls
+  double motor_relative = 0;  // noise of the recorded motor tension, not of the one that pulls
 };
 
 struct Simulation {
@@ -27,7 +27,7 @@ struct Simulation {
   // Parallel to the readings and the plan's channels; empty where the routing has no such segment.
   std::vector<std::vector<std::optional<double>>> tension_N;
   std::size_t values = 0;
-  std::size_t clipped = 0;  // of the values: those that would have been below 0
+  std::size_t clipped = 0;  // values that would have been below 0
 };
 
 // The seed decides the conditions and the noise. Throws InputError that names the routing if the

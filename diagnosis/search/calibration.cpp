@@ -13,7 +13,7 @@ namespace {
 
 // Rigs are mostly smoother than they are thought; one may be rougher.
 constexpr std::array starts{1.0, 0.3, 2.5};
-// Of the range that is searched, a standard error beyond which nothing is known.
+// Share of the searched range: with a greater standard error the value is unknown.
 constexpr double vague = 1.0 / 6;
 
 // The first effect of which the data say too little; the number of effects if there is none.

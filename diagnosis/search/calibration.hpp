@@ -3,7 +3,7 @@
 // They are free in every model that the data are explained with, so that no cause stands in for a
 // coefficient that was guessed wrong. The hardware can say that one is known (`known = true`), or
 // that there is no friction (mu = 0): then the first stays, and the second is a cause like others.
-// Those stay, too, of which the data say too little to tell them apart within their range.
+// A coefficient also stays if the data say too little to determine it within its range.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@
 
 namespace reeve::diagnosis {
 
-// Whether it is a coefficient that the hardware leaves open.
+// True if the effect is a coefficient that the hardware leaves open.
 bool is_open_coefficient(const Effect& effect, const Hardware& hardware);
 
 // The model's open coefficients as the hardware says them: where a fit may start afresh.
@@ -28,16 +28,16 @@ Model calibrated(const Problem& problem, const Model& nominal,
 struct Calibration {
   Effect effect;  // fitted
   ParameterInterval interval;
-  // That chance alone takes the estimate so far from what the hardware says, by Student's t, for as
-  // many coefficients as there are.
+  // Chance of an estimate so far from the hardware's value if that is right, by Student's t,
+  // corrected for the number of coefficients.
   double p_value = 1;
   double gain = 0;  // in log-likelihood, over the hardware's own value with all else fitted
   bool differs = false;
 };
 
-// Of each coefficient that the model has free. It differs from what the hardware says if that has a
-// chance below alpha, and gains more than other causes that cannot be told from it
-// (least_evidence).
+// Calibrates each coefficient that the model has free. It differs from the hardware's value on two
+// conditions: the chance of that is below alpha, and it gains more than other causes that cannot be
+// told from it (least_evidence).
 std::vector<Calibration> calibrations(const Problem& problem, const Model& model,
                                       double mounting_degrees, double alpha);
 

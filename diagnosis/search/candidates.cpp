@@ -8,7 +8,7 @@
 namespace reeve::diagnosis {
 namespace {
 
-// Of a law whose shape no first order tells: starts across its range.
+// Number of starts across the range of a law whose shape no first order determines.
 constexpr int shapes_tried = 5;
 
 double nominal_or_middle(const Parameter& parameter) {

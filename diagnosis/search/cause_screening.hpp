@@ -27,7 +27,7 @@ double gain_from_misfits(double before, double after, double degrees_of_freedom)
 struct ScreenedCause {
   std::size_t candidate = 0;
   double gain = 0;
-  std::vector<std::vector<double>> starts;  // of a fit: the size of the first order, for each shape
+  std::vector<std::vector<double>> starts;  // for a fit: the first-order size, for each shape
 };
 
 class CauseScreening {
@@ -37,7 +37,7 @@ class CauseScreening {
   CauseScreening(const Dataset& dataset, const Model& model, const Forecast& at,
                  const std::vector<Candidate>& candidates, Workers& workers);
 
-  // Those that gain, the greatest gain first. The problem is of some of the readings.
+  // Returns the causes that gain, the greatest gain first. The problem covers some of the readings.
   std::vector<ScreenedCause> run(const Problem& problem, const Forecast& at,
                                  const Projection& projection,
                                  const Eigen::VectorXd& residuals) const;
@@ -57,7 +57,7 @@ class CauseScreening {
   std::vector<Probe> probes_;
   Eigen::MatrixXd columns_N_;
   std::vector<std::size_t> reading_of_row_;
-  std::vector<std::size_t> first_cell_;  // of each row
+  std::vector<std::size_t> first_cell_;  // index of each row's first cell
 };
 
 }  // namespace reeve::diagnosis

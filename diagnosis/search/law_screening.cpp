@@ -34,7 +34,7 @@ constexpr double price_of_part = 1;
 
 constexpr std::size_t enough_values = 8;     // for a wave
 constexpr int most_waves = 28;               // half periods over the range
-constexpr std::size_t waves_of_a_lever = 8;  // that are looked at closely
+constexpr std::size_t waves_of_a_lever = 8;  // number of waves fitted closely
 constexpr std::size_t most_bent = 8;         // sites and covariates whose bends are looked at
 constexpr std::size_t most_knots = 12;
 
@@ -107,7 +107,7 @@ class LawFamilies {
   struct Found {
     ScreenedLaw law;
     std::size_t lever = 0;
-    std::size_t kind = 0;  // of the covariates and whether it is bent
+    std::size_t kind = 0;  // index by covariate and by whether it is bent
   };
 
   const RowCovariate& covariate(std::size_t c) const { return screening_.covariates_[c]; }
@@ -136,7 +136,7 @@ class LawFamilies {
     whiten(problem_.shared, columns);
     const Eigen::RowVectorXd before = columns.colwise().norm();
     projection_.take_out(columns);
-    // What a free coefficient does already leaves hardly anything.
+    // If a free coefficient already explains a column, hardly anything is left of it.
     constexpr double hardly = 0.02;
     for (Index j = 0; j < columns.cols(); ++j) {
       if (columns.col(j).norm() < hardly * before[j]) columns.col(j).setZero();
@@ -219,7 +219,7 @@ class LawFamilies {
   struct Made {
     Term term;
     std::vector<double> values;
-    std::vector<double> crossing;  // where it is free
+    std::vector<double> crossing;  // x of the zero, if it is free
     double price = 0;
     double gain = 0;
     std::size_t kind = 0;
@@ -356,7 +356,7 @@ class LawFamilies {
     wave_squares_ = wave_values_.cwiseAbs2();
   }
 
-  // Waves are most of all laws. What all of them do along the residuals takes one product; the few
+  // Waves are most of all laws. All their projections on the residuals take one product; the few
   // that promise most beside their raw lengths are then seen as all other laws are.
   void screen_waves(std::size_t l) {
     if (waves_.empty()) return;
@@ -463,7 +463,7 @@ class LawFamilies {
     keep(l, made);
   }
 
-  // Where a parabola gains, some bent law may.
+  // If a parabola gains, some bent law may.
   void note_bend(std::size_t l, std::size_t c, const Family& bent) {
     if (!(bent.gain > 0) || covariate(c).is_motor || is_of_noise(c) ||
         screening_.levers_[l].by_load)
@@ -655,17 +655,17 @@ class LawFamilies {
   bool are_set_;
   double before_;
   double degrees_;
-  std::vector<std::size_t> rows_;         // of the screening's dataset
+  std::vector<std::size_t> rows_;         // row indices of the screening's dataset
   std::vector<std::size_t> row_of_cell_;  // likewise
   std::vector<Index> cells_;              // likewise
   std::set<std::size_t> runs_;
   std::set<std::size_t> groups_;
-  std::vector<std::size_t> log_column_;  // of each covariate; 0 if it has none
+  std::vector<std::size_t> log_column_;  // column of each covariate's logarithm; 0 if it has none
   std::size_t first_quadratic_ = 0;
   std::size_t first_product_ = 0;
   std::vector<std::pair<std::size_t, double>> waves_;  // covariate and period
   std::vector<RowLaw> products_;
-  MatrixXd values_;  // of the laws of all levers, and of products
+  MatrixXd values_;  // values of the laws of all levers, and of products
   MatrixXd wave_values_, wave_squares_;
   VectorXd pulled_back_;  // the residuals, as raw columns meet them
   std::vector<Found> found_;

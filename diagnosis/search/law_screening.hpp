@@ -1,5 +1,5 @@
 // Every law that the grammar of terms can say of the data, screened to first order: a lever
-// (levers.hpp) times a law of what each row records. Of a family of columns q, whitened and with
+// (levers.hpp) times a law of what each row records. For a family of columns q, whitened and with
 // the model's own parameters taken out, the gain in log-likelihood of the residuals e is
 //
 //   G = nu/2 ln(|e|^2 / (|e|^2 - |Q e|^2)),   Q the projection on the family
@@ -48,7 +48,7 @@ class LawScreening {
   std::vector<Lever> levers_;
   std::vector<RowCovariate> covariates_;
   std::vector<std::size_t> reading_of_row_;
-  std::vector<std::size_t> first_cell_;  // of each row
+  std::vector<std::size_t> first_cell_;  // index of each row's first cell
   std::vector<std::size_t> run_of_row_;
   std::vector<std::size_t> group_of_row_;  // beyond the last of none
   std::vector<std::string> runs_;

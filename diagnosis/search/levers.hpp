@@ -1,6 +1,7 @@
-// What every reading does when something of the rig changes a little: the contacts' exponents and
-// forces, the gains and offsets of channels and motor. A term's sensitivity is that of its site,
-// times the law of its covariate in each row, so that any number of terms costs products alone:
+// Levers: changes of every reading by a small change of the rig. The contacts' exponents and forces
+// change, and the gains and offsets of channels and motor. A term's sensitivity is that of its
+// site, times the law of its covariate in each row, so that any number of terms costs products
+// alone:
 //
 //   exponent  sum over the site's contacts of dy/dphi_k, times phi_k at tubes and sheaths
 //   force     sum of dy/dphi_k e^{phi_k} / T_high,k, since e^{-phi'} = e^{-phi} - F / T_high
@@ -39,10 +40,11 @@ struct Lever {
   bool by_load = false;
   bool logarithmic = false;  // ln(T_high / x0), not T_high - x0
   Covariate load{};
-  Eigen::VectorXd by_value_N;  // of each cell, by the value of the row's law
+  Eigen::VectorXd by_value_N;  // change of each cell by the value of the row's law
 };
 
-// Whatever the routings of the data have. Levers that no reading answers are left out.
+// Returns the levers of all sites that the routings of the data have. Levers that no reading
+// answers are left out.
 std::vector<Lever> levers(const Dataset& dataset, const Model& model, const Forecast& at,
                           Workers& workers);
 

@@ -1,4 +1,4 @@
-// What rows record that differs from row to row, and the values that laws of it take.
+// Covariates that differ from row to row, and the values that laws of them take.
 //
 // A covariate is known in every row: where a row lacks it, it stands at the middle of the others,
 // so that its straight laws say nothing there.
@@ -18,7 +18,7 @@ struct RowCovariate {
   Eigen::VectorXd by_row;
   std::vector<double> distinct;  // ascending
   bool is_motor = false;
-  bool is_place = false;  // of the row in the file, or of its run among the others
+  bool is_place = false;  // place of the row in the file, or of its run among the others
 };
 
 // The columns of the grammar (causes/term.hpp) that three rows or more record, with two values or
@@ -29,10 +29,10 @@ std::vector<RowCovariate> row_covariates(const Dataset& dataset);
 struct RowLaw {
   Form form = Form::constant;
   std::size_t x = 0;
-  std::size_t y = 0;              // of a product
-  std::vector<double> values{1};  // of the law's parameters
-  bool x_logarithmic = false;     // of a product
-  bool y_logarithmic = false;     // of a product
+  std::size_t y = 0;              // second factor of a product
+  std::vector<double> values{1};  // values of the law's parameters
+  bool x_logarithmic = false;     // for a product
+  bool y_logarithmic = false;     // for a product
 };
 
 // The law's value in each row.

@@ -26,12 +26,12 @@ std::size_t carried_terms(const Dataset& dataset) {
 // How many terms get a fit in a step.
 struct Effort {
   std::size_t causes = 7;
-  std::size_t faults = 3;  // that are there or not
+  std::size_t faults = 3;  // causes without a size
   std::size_t laws = 6;
   // A search on more readings has been made: readings are seen at the level of what it found, and
   // without weighing alternatives.
   std::optional<ScatterLevel> level{};
-  // Whether what is there or not is tried beside the hardware's coefficients, too.
+  // True if causes without a size are tried beside the hardware's coefficients, too.
   bool beside_hardware = true;
 };
 
@@ -47,7 +47,7 @@ struct Scored {
   Model model;
   Likelihood likelihood;
   double evidence = -std::numeric_limits<double>::infinity();
-  AcceptedTerm term;  // that was added
+  AcceptedTerm term;  // the term that was added
 };
 
 class Searching {
@@ -144,7 +144,8 @@ class Searching {
     result_.instead.resize(result_.calibrations.size());
   }
 
-  // What explains the readings hardly less with this coefficient as the hardware says.
+  // Returns the terms that explain the readings hardly less if this coefficient is as the hardware
+  // says.
   std::vector<Alternative> instead_of(const Effect& coefficient) const {
     const Model pinned = without(now_.model, place(now_.model, coefficient));
     const Scored less = scored(fit(now_.likelihood.problem, pinned).model);
@@ -193,7 +194,7 @@ class Searching {
     return result;
   }
 
-  // What readings weigh depends on the model, and what fits them best on what they weigh.
+  // The readings' weights depend on the model, and the best fit depends on the weights.
   void reshape(const Model& model) {
     result_.shape = scatter_shape(dataset_, model, options_.mounting_scatter, workers_);
     now_ = scored(model);
@@ -227,8 +228,11 @@ class Searching {
     const auto alike = std::count_if(causes_.begin(), causes_.end(), [&](const Candidate& other) {
       return other.effect.cause == candidate.effect.cause;
     });
-    return std::log(static_cast<double>(causes::cause_library().size())) +
-           std::log(static_cast<double>(alike));
+    return price_of_name() + std::log(static_cast<double>(alike));
+  }
+
+  double price_of_name() const {
+    return std::log(static_cast<double>(causes::cause_library().size() + options_.terms.size()));
   }
 
   static bool has(const Model& model, const Effect& effect) {
@@ -237,8 +241,8 @@ class Searching {
     });
   }
 
-  // What is there or not may have drawn the coefficients so far that it seems to gain nothing
-  // beside them: the few that leave the least beside the hardware's own.
+  // A cause without a size may seem to gain nothing because the coefficients have been drawn
+  // towards it. Returns the few that leave the least misfit beside the hardware's own coefficients.
   std::vector<Effect> likeliest_beside_the_hardware(const Scored& from) const {
     constexpr std::size_t few = 2;
     std::vector<std::size_t> whether;
@@ -286,6 +290,9 @@ class Searching {
         --more;
         add({candidate.effect, cause.starts, price_of(candidate), &view});
       }
+      for (const Effect& term : options_.terms) {
+        add({term, {term.values}, price_of_name(), &view});
+      }
       for (ScreenedLaw& law :
            screened.laws.best(view.problem, at, projection, left, effort_.laws)) {
         const std::vector<double> values = law.effect.values;
@@ -316,7 +323,7 @@ class Searching {
     return result;
   }
 
-  // What no reading could show stands for something else.
+  // A term that no reading could show stands for something else.
   bool shows(const Effect& effect) const {
     if (!effect.subject.channel) return true;
     double least = std::numeric_limits<double>::infinity();
@@ -408,7 +415,7 @@ class Searching {
     constexpr std::size_t looked_at = 5;
     constexpr double near = 0.2;
     constexpr double at_least = 10;
-    constexpr double hardly = 0.01;  // what the ends of fits differ by
+    constexpr double hardly = 0.01;  // scatter of the ends of fits
     for (std::size_t i = 1; i < std::min(looked_at, ways.size()); ++i) {
       if (ways[i].evidence < ways[0].evidence - std::max(at_least, near * rise)) return;
       const AcceptedTerm own = std::exchange(result_.accepted.back(), ways[i].term);
@@ -421,8 +428,8 @@ class Searching {
     }
   }
 
-  // Where a law is zero is fitted again, as its readings are seen beside it: before, they were seen
-  // with the scatter that it leaves unexplained, and further terms would explain what that cost.
+  // Fits the zero of a law again with its own readings' scatter. Before, that scatter included what
+  // the law leaves unexplained, and further terms would explain the cost of that.
   void free_crossing() {
     const AcceptedTerm own = result_.accepted.back();
     const Term* term = term_of(*own.effect.cause);
@@ -517,7 +524,7 @@ class Searching {
     return now_.evidence;
   }
 
-  // What the library has a name for is called by it, and not a law besides.
+  // A cause of the library has precedence over a law that equals it.
   bool is_a_law_of_its_name(const Scored& way, const Effect& accepted) const {
     constexpr double same = 1;  // in units of the noise, of all readings together
     if (term_of(*way.term.effect.cause) == nullptr || term_of(*accepted.cause) != nullptr) {

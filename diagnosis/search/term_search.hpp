@@ -6,10 +6,9 @@
 //   E = ln likelihood (evidence.hpp) − sum over its terms of the price and ln(n)/2 per parameter
 //
 // if that is at least 3 nats above the model without it. Afterwards each accepted term has to
-// defend its place: against others (one with more evidence takes it), and against nothing. What
-// could stand in a term's place with hardly less evidence shares its probability,
-// p_i ~ e^{E_i}. The coefficients that are free in every model (calibration.hpp) are fitted again
-// each time.
+// defend its place: against others (one with more evidence takes it), and against nothing.
+// Alternatives to a term with hardly less evidence share its probability, p_i ~ e^{E_i}. The
+// coefficients that are free in every model (calibration.hpp) are fitted again each time.
 #pragma once
 
 #include <functional>
@@ -28,7 +27,7 @@ namespace reeve::diagnosis {
 struct Alternative {
   std::string name;
   Model model;
-  double deficit = 0;  // of evidence
+  double deficit = 0;  // difference of evidence
 };
 
 struct AcceptedTerm {
@@ -42,12 +41,13 @@ struct AcceptedTerm {
 };
 
 struct TermSearchOptions {
-  double alpha = 0.02;  // of coefficients that differ
+  double alpha = 0.02;  // chance for coefficients that differ
   std::optional<std::size_t> most_causes;
   std::optional<double> mounting_scatter;
+  std::vector<Effect> terms{};  // laws of the user's, at the price of a name of the library
 };
 
-// Whether two laws are of one site and covariate, whatever their form; a constant one is of every
+// True if two laws share one site and covariate, whatever their form. A constant law shares every
 // covariate.
 bool is_kin(const Effect& a, const Effect& b);
 
@@ -73,8 +73,8 @@ struct Explanation {
   double mounting_degrees() const;
 };
 
-// What was screened: the columns of all terms about the model after so many of them. Parts of the
-// readings are searched with the same columns.
+// Columns of all terms that were screened, about the model after a number of accepted terms. Parts
+// of the readings are searched with the same columns.
 struct Screened {
   CauseScreening causes;
   LawScreening laws;
@@ -109,7 +109,7 @@ class TermSearch {
   std::vector<Candidate> coefficients_;
   std::vector<Candidate> causes_;
   std::vector<Screened> screened_;
-  // What was found on all readings.
+  // Results of the search on all readings.
   ScatterLevel level_;
   Model model_;
   std::vector<AcceptedTerm> accepted_;

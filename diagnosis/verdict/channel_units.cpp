@@ -17,7 +17,7 @@ constexpr double near_a_unit = 0.1;  // in logarithms
 constexpr std::size_t enough_readings = 8;
 
 struct ChannelLevel {
-  double middle = 0;  // of ln (T / m)
+  double middle = 0;  // median of ln (T / m)
   double spread = 0;  // median of the distances from it
 };
 

@@ -10,7 +10,7 @@
 namespace reeve::diagnosis {
 namespace {
 
-// By reading and channel.
+// Forecasts by reading and channel.
 using LeftOutForecasts = std::map<std::pair<std::size_t, std::size_t>, double>;
 
 LeftOutForecasts forecasts_of(const std::vector<LeftOutRun>& runs) {

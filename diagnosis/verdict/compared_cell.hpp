@@ -15,13 +15,13 @@ struct ComparedCell {
   Cell cell;
   bool held_out = false;
   double before_N = 0;     // forecast of the model as it was
-  double after_N = 0;      // of the extended one
+  double after_N = 0;      // forecast of the extended model
   double deviation_N = 0;  // with what the reading shares with its mounting
   // In standard deviations, as the diagnosis takes them (problem.hpp): measured less what a sensor
   // would read on average that cannot read below 0, without what a free scale explains.
   double residual_before = 0;
   double residual_after = 0;
-  std::optional<double> left_out_N;  // of the causes fitted without its run (left_out.hpp)
+  std::optional<double> left_out_N;  // forecast of the causes fitted without its run (left_out.hpp)
 };
 
 // All cells of the sample, in the order of the lines.

@@ -16,12 +16,12 @@ namespace reeve::diagnosis {
 
 struct Explained {
   double rms_N = 0;  // below 0 of a term that raises the residuals
-  double share = 0;  // of the mean square
+  double share = 0;  // share of the mean square
 };
 
 struct ExplainedResiduals {
   double before_N = 0;           // root of the mean squared residual of the nominal model
-  double after_N = 0;            // of the extended one
+  double after_N = 0;            // root of the mean squared residual of the extended model
   std::vector<Explained> terms;  // parallel to those that were asked for
 };
 

@@ -16,7 +16,7 @@ using Eigen::Index;
 std::vector<std::size_t> dealt_runs(const MeasuredData& data,
                                     const std::vector<std::size_t>& readings, std::size_t folds) {
   std::vector<std::size_t> fold(data.runs.size(), folds);
-  std::map<std::size_t, std::size_t> dealt;  // of each routing
+  std::map<std::size_t, std::size_t> dealt;  // number dealt, by routing
   for (const std::size_t i : readings) {
     const Reading& reading = data.readings[i];
     if (fold[reading.run] != folds) continue;
@@ -53,7 +53,7 @@ std::optional<std::vector<Fold>> cross_validated(const MeasuredData& data,
     fold.nominal = forecast(fold.unseen, nominal);
     fold.base = try_forecast(fold.unseen, fold.found.base).value_or(fold.nominal);
     fold.forecast = try_forecast(fold.unseen, fold.found.model).value_or(fold.base);
-    // What was found refers to the training set, which ends here.
+    // The results refer to the training set, which ends here.
     fold.found.problem.dataset = nullptr;
     searched[block.begin] = std::move(fold);
   });

@@ -10,7 +10,7 @@
 namespace reeve::diagnosis {
 namespace {
 
-// Of the range that is searched, a standard error beyond which nothing is known.
+// Share of the searched range: with a greater standard error the value is unknown.
 constexpr double unknown_share = 1.0 / 6;
 
 // Parallel to the effects: nothing of those that the group hardly tells.

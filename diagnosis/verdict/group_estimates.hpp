@@ -1,7 +1,7 @@
 // The coefficients and causes of a model in each group of rows by itself: a winch, an operator.
 //
-// Each group's readings are fitted alone, with the scatter that all readings have. Of a parameter,
-// a group stands out where
+// Each group's readings are fitted alone, with the scatter that all readings have. A group stands
+// out in a parameter if
 //
 //   t = (x_g − x_o) / √(s_g² + s_o²),   x_o = Σ x/s² / Σ 1/s²,   s_o² = 1 / Σ 1/s²
 //
@@ -19,7 +19,7 @@
 
 namespace reeve::diagnosis {
 
-// Of more groups nobody reads a list.
+// Greatest number of groups listed; nobody reads a longer list.
 inline constexpr std::size_t most_groups_estimated = 40;
 
 struct GroupEstimate {
@@ -28,14 +28,14 @@ struct GroupEstimate {
   ParameterInterval interval;
 };
 
-// Of one effect's size; groups whose readings hardly tell it are left out.
+// One effect's size in each group. Groups whose readings hardly determine it are left out.
 struct EstimatesByGroup {
   std::string cause;
   std::string parameter;
   std::string unit;
   std::vector<GroupEstimate> groups;  // two or more
   std::size_t farthest = 0;           // in MeasuredData::groups: the one that stands out most
-  double p_value = 1;                 // that chance takes it so far, over all comparisons
+  double p_value = 1;                 // chance of a difference so large, over all comparisons
   bool differs = false;
 };
 

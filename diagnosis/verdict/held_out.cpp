@@ -14,10 +14,10 @@ namespace {
 using Eigen::Index;
 
 constexpr std::size_t draws = 1000;
-// Of fewer there are too few different samples: three runs have ten.
+// With fewer runs there are too few different samples: three runs have ten.
 constexpr std::size_t enough_held_out_runs = 5;
 
-// What one run contributes, or one reading.
+// The contribution of one run, or of one reading.
 struct Contribution {
   double before = 0;  // Σ of squared residuals, N²
   double after = 0;

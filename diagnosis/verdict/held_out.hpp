@@ -1,4 +1,4 @@
-// What a change of the model gains on runs that its fit has not seen.
+// Gain of a change of the model on held-out runs.
 //
 // Root of the mean squared residual, before and after, in newton; reduction = 1 − after / before.
 // The interval is that of the middle 95 % of the Bayesian bootstrap: runs (readings where fewer
@@ -48,19 +48,19 @@ struct NoiseLimit {
   double log_likelihood_gain = 0;
   double low = 0;
   double high = 0;
-  double rms_N = 0;  // of the residuals that are noise alone
+  double rms_N = 0;  // RMS of the residuals that are noise alone
 };
 
 NoiseLimit noise_limit(const Problem& held_out, const Forecast& before);
 
-// What a change of the model gains on each run by itself: whether the gain is everywhere, or one
-// mounting's.
+// Gain of a change of the model on each run by itself. It shows whether all runs gain, or one
+// mounting.
 struct RunGain {
   std::size_t run = 0;  // in MeasuredData::runs
   std::size_t cells = 0;
   double rms_before_N = 0;
   double rms_after_N = 0;
-  double rms_noise_N = 0;  // of the residuals that are noise alone
+  double rms_noise_N = 0;  // RMS of the residuals that are noise alone
 };
 
 // The runs stand in the order in which the data name them.

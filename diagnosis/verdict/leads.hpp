@@ -1,7 +1,7 @@
-// Where to look next, if structure is left that no named term explains: the laws of the grammar
-// (causes/term.hpp) that would gain the most evidence beside the extended model, to first order
-// (search/law_screening.hpp). A lead names a site and a covariate. It is no finding: no fit with
-// a scatter of its own and no fold of runs has confirmed it.
+// Leads: places to look next, if structure is left that no named term explains. They are the laws
+// of the grammar (causes/term.hpp) that would gain the most evidence beside the extended model, to
+// first order (search/law_screening.hpp). A lead names a site and a covariate. It is no finding: no
+// fit with a scatter of its own and no fold of runs has confirmed it.
 //
 // Leads about one run, one sensor or one contact stand first: what stands apart is looked at before
 // what all readings follow.
@@ -22,7 +22,7 @@ struct Lead {
 
 inline constexpr std::size_t most_leads = 3;
 
-// Whether a law is about one run, one sensor or one contact.
+// True if a law is about one run, one sensor or one contact.
 bool is_of_one_place(const Effect& effect);
 
 // The problem is of the training runs. None has evidence against it.

@@ -8,7 +8,7 @@
 namespace reeve::diagnosis {
 namespace {
 
-// What these readings say nothing of goes back to what is nominal.
+// Parameters that these readings say nothing about go back to their nominal values.
 Model fitted(const Problem& problem, Model model) {
   constexpr double clearly = 1e-6;
   const double here = misfit(problem, model);

@@ -1,5 +1,5 @@
-// What each run contributes: the parameters of a model fitted again to all runs but one, and that
-// run forecast by them.
+// Contribution of each run: the parameters of a model are fitted again to all runs but one, and
+// that run is forecast by them.
 //
 // Which causes the model has was chosen with all training runs; only their sizes are fitted anew. A
 // parameter that the other runs say nothing about goes back to its nominal value.

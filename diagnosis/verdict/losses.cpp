@@ -171,7 +171,7 @@ std::vector<double> scores(std::vector<double> values, double least) {
   return values;
 }
 
-// Of stretches over the same contacts.
+// Marks the stretches over the same contacts that stand apart.
 void mark_those_apart(const std::vector<Loss*>& alike) {
   if (alike.size() < enough_stretches) return;
   std::vector<double> left;

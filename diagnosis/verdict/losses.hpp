@@ -1,4 +1,4 @@
-// What is lost from one sensor to the next, stretch by stretch.
+// Losses from one sensor to the next, stretch by stretch.
 //
 // Between two neighbouring measured segments of a tendon whose contacts all slide, or are about to,
 // in one direction, the friction exponents add up:
@@ -35,9 +35,9 @@ struct Loss {
   // ln(T_high / T_low), mean over the rows, weighed by their noise; those with a forecast within
   // three standard deviations of zero are left out.
   double measured = 0;
-  double deviation = 0;  // of `measured`, by the noise
-  double before = 0;     // of the forecasts of the model as it was
-  double after = 0;      // of the extended model
+  double deviation = 0;  // standard deviation of `measured` by the noise
+  double before = 0;     // by the forecasts of the nominal model
+  double after = 0;      // by those of the extended model
   bool stands_apart = false;
 };
 

@@ -13,7 +13,7 @@
 namespace reeve::diagnosis {
 namespace {
 
-// By reading; NaN where nothing can be compared.
+// Distances by reading; NaN if nothing can be compared.
 using RowDistances = std::vector<double>;
 
 RowDistances distances(const MeasuredData& data, const std::vector<std::size_t>& readings,

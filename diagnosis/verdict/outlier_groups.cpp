@@ -231,8 +231,8 @@ class OutlierFinder {
     return runs;
   }
 
-  // Where a channel has too many far readings beside the runs in which it has, too, it has them
-  // everywhere.
+  // If a channel has too many far readings even without its conspicuous runs, it has them in all
+  // runs.
   std::vector<std::size_t> runs_of(std::size_t channel) const {
     std::vector<std::size_t> found;
     OutlierCount rest = counts_.channels.at(channel);

@@ -50,7 +50,7 @@ struct JudgedCell {
   double z = 0;
 };
 
-// Cells beyond this are far. Of noise of three degrees of freedom 1 % is.
+// Cells beyond this are far. Of noise with three degrees of freedom, 1 % is.
 inline constexpr double outlier_deviations = 6;
 
 // Readings of one problem, and others as they would be if nothing but noise and mountings moved
@@ -84,7 +84,7 @@ class JudgedCells {
 struct OutlierSides {
   std::size_t above = 0;  // cells
   std::size_t below = 0;
-  double p_value = 1;  // of the rarer of both, which are looked at
+  double p_value = 1;  // p-value of the rarer of the two tests, corrected for both
 };
 
 // All of them far, in the order of their readings.
@@ -94,9 +94,9 @@ struct OutlierGroups {
   std::vector<std::size_t> channels;      // ascending
   std::vector<std::size_t> runs;          // ascending
   bool everywhere = false;                // all runs in which the channels were read
-  std::size_t readings = 0;               // of these channels in these runs
-  OutlierSides sides;                     // of those that are far
-  double p_value = 1;                     // of the rarest of its groups, family-wise
+  std::size_t readings = 0;               // number of readings of these channels in these runs
+  OutlierSides sides;                     // sides of the far readings
+  double p_value = 1;                     // p-value of the rarest of its groups, family-wise
   std::vector<std::size_t> outlier_rows;  // readings of the data, ascending
 
   std::size_t far() const { return sides.above + sides.below; }
@@ -108,7 +108,7 @@ struct OutlierReadings {
   std::size_t elsewhere = 0;
 };
 
-// Of all other readings. Heavy tails put 1 % there; more, and it is the model that is wrong.
+// Greatest share of all other readings. Heavy tails put 1 % there; with more, the model is wrong.
 inline constexpr double most_far_elsewhere = 0.05;
 bool keep_to_something(const OutlierReadings& found);
 
@@ -126,8 +126,8 @@ struct OutlierSearch {
 OutlierReadings outlier_readings_together(const OutlierSearch& search, Workers& workers,
                                           const std::function<bool()>& stop);
 
-// Whether they are of some runs, or on sides on which noise would put them in fewer than a quarter
-// of alpha of data sets.
+// True if they belong to some runs, or lie on sides on which noise would put them in fewer than a
+// quarter of alpha of data sets.
 bool follow_something(const OutlierGroups& together, double alpha);
 
 }  // namespace reeve::diagnosis

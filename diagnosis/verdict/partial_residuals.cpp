@@ -35,7 +35,7 @@ struct PartView {
   Forecast without;
   RowContacts contacts;
   VectorXd left_N;       // T − m
-  VectorXd deviation_N;  // of each reading by itself
+  VectorXd deviation_N;  // noise of each reading by itself
   VectorXd by_law;       // S
 };
 
@@ -140,7 +140,7 @@ std::optional<PartialPoint> point(const PartView& part, const TermAxes& axes, co
 
 // A reading that a term without size leaves as it is says nothing of it.
 bool is_changed(const PartialPoint& point, const TermAxes& axes) {
-  constexpr double noticeable = 0.1;  // of its noise
+  constexpr double noticeable = 0.1;  // times its noise
   return axes.over != DrawnOver::change || std::abs(point.x) > noticeable * point.deviation;
 }
 

@@ -1,14 +1,15 @@
-// What each reading by itself says of one term, beside the law that was fitted to all of them.
+// Partial residuals: the value of one term that each reading gives by itself, beside the law that
+// was fitted to all of them.
 //
 // With p the forecasts of the extended model, e = T − m(p) its residuals (problem.hpp), f the law
 // of the term on its own axis (term_axes.hpp) and S = dp/df, a reading's cells say
 //
 //   y = f(x) + Σ w S e / Σ w S²,    w = 1 / sd²,    known to  d = (Σ w S²)^(−1/2)
 //
-// which to first order is the reading less the forecast without the term, in the unit of its law:
-// a relative change for exponents and gains, newton for forces and offsets. If the law is right, y
-// scatters about f(x) by d and by what mountings do. Where the term is about sensors, each cell is
-// a point of its own. A term that is there or not has S = 1. The band holds the curve in 95 %:
+// which to first order is the reading less the forecast without the term, in the unit of its law: a
+// relative change for exponents and gains, newton for forces and offsets. If the law is right, y
+// scatters about f(x) by d and by what mountings do. If the term is about sensors, each cell is a
+// point of its own. A term that is there or not has S = 1. The band holds the curve in 95 %:
 // Var f = gᵀ C g, g = df/dθ, C the covariance of the term's parameters at their intervals'
 // standard errors.
 //
@@ -42,7 +43,7 @@ struct PartialPoint {
 struct CurvePoint {
   double x = 0;
   double y = 0;
-  double low = 0;  // of the 95 % band
+  double low = 0;  // lower end of the 95 % band
   double high = 0;
 };
 
@@ -55,8 +56,8 @@ struct PartialResiduals {
   std::size_t thinned = 0;           // points beyond those that are kept
 };
 
-// What is known of an effect's parameters: covariance, and how many standard errors to either side
-// are 95 %.
+// Spread of an effect's parameters: covariance, and the number of standard errors to either side in
+// a 95 % interval.
 struct EffectSpread {
   Eigen::MatrixXd covariance;
   double t = 0;

@@ -1,5 +1,5 @@
-// What a model leaves of the training runs: scatter of whole rows, and structure that may be more
-// than chance.
+// Residuals of the training runs: scatter of whole rows, and structure that may be more than
+// chance.
 //
 // Where structure would be found and mountings scatter, it is judged again by mountings that are
 // solved (mounted_draws.hpp): what they do that is no straight line is no finding.

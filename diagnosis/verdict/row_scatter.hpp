@@ -1,5 +1,5 @@
-// Whether the readings of a row go together, as they do where the motor tension is not what it
-// reads.
+// Tests if the readings of a row scatter together, as they do if the recorded motor tension is
+// wrong.
 //
 // With s = dm/dT_M T_M / sd of a row's readings, e their residuals, a motor tension that is off by
 // a share of standard deviation τ from row to row leaves

@@ -20,9 +20,9 @@ struct ShareError {
   Grasp grasp;
   std::size_t rows = 0;
   std::size_t held_out_rows = 0;
-  double before = 0;               // of the model as it was
-  double after = 0;                // of the extended one
-  std::optional<double> left_out;  // of the causes fitted without the row's run
+  double before = 0;               // error of the nominal model
+  double after = 0;                // error of the extended model
+  std::optional<double> left_out;  // error of the causes fitted without the row's run
 };
 
 struct ShareErrors {

@@ -16,13 +16,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// What is looked at in every replicate has to be cheap, whatever the file.
+// Limits of the tests in every replicate, which keep them cheap for any file.
 constexpr std::size_t most_groups = 200;
 constexpr std::size_t most_frequencies = 150;
-// Of fewer readings a mean of its own says nothing that a residual does not.
+// With fewer readings, a mean says no more than a residual.
 constexpr std::size_t least_group = 3;
 
-// What a relative change of every reading would be, in units of the noise.
+// Returns the effect of a relative change of every reading, in units of the noise.
 VectorXd relative(const Problem& problem, const Forecast& at) {
   return at.reading_N.cwiseQuotient(problem.deviation_N);
 }
@@ -93,8 +93,8 @@ class Tests {
     if (columns.cols() > 0) tests_.push_back({std::move(about), std::move(columns), scan});
   }
 
-  // As of residuals. What all readings of a row do together says nothing where its scale is free:
-  // what would be left of such a column is rounding.
+  // As of residuals. If a row's scale is free, a joint change of all its readings says nothing: the
+  // remainder of such a column is rounding.
   void take_out_scales(MatrixXd& columns) const {
     constexpr double of_rounding = 1e-6;
     for (Index c = 0; c < columns.cols(); ++c) {
@@ -208,7 +208,7 @@ double explained(const StructureTest& test, const VectorXd& along) {
   return greatest;
 }
 
-// Of each column of residuals.
+// Returns the statistics of each column of residuals.
 std::vector<double> statistics(const StructureTest& test, const MatrixXd& residuals) {
   const MatrixXd along = test.patterns.transpose() * residuals;
   std::vector<double> result;

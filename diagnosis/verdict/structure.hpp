@@ -1,4 +1,4 @@
-// Whether residuals still follow anything that the rows say of themselves, after the model.
+// Tests if the residuals of a model still follow anything that the rows record.
 //
 // Each test has a set of patterns u_k (orthonormal, with what the model's parameters could explain
 // taken out): group means of the relative residual, or its linear and quadratic trends. Its
@@ -19,8 +19,7 @@
 
 namespace reeve::diagnosis {
 
-// Of alpha: that something is left that no cause explains has to stand against a smaller chance
-// than that of naming a first cause.
+// Share of alpha: unexplained structure is reported at a smaller chance than a first cause.
 inline constexpr double structure_share_of_alpha = 0.25;
 
 // A p-value is never below 1/(replicates + 1). With so many it can be half of the smallest chance
@@ -40,13 +39,13 @@ struct StructureTest {
 struct StructureFinding {
   std::string about;
   double statistic = 0;  // in standard deviations of the null model
-  double p_value = 1;    // of this test alone
-  double share = 0;      // of the mean square of the residuals, above what chance gives
+  double p_value = 1;    // p-value of this test alone
+  double share = 0;      // share of the mean square of the residuals, above that by chance
 };
 
 struct StructureResult {
   std::vector<StructureFinding> findings;  // the strongest first
-  double p_value = 1;                      // of the strongest, family-wise
+  double p_value = 1;                      // p-value of the strongest, family-wise
   std::string where;                       // the group whose residuals are farthest from 0
 };
 

@@ -153,7 +153,7 @@ void add_lever(TermAxes& axes, Target target) {
   }
 }
 
-// Whether a factor is applied to the exponent or gain that the law has left.
+// True if a factor is applied to the exponent or gain that the law has left.
 bool is_factor(Target target, const Site& site) {
   if (target == Target::exponent) {
     return site.kind == ContactKind::tube || site.kind == ContactKind::sheath;
@@ -246,7 +246,7 @@ TermAxes axes_at_contacts(const ContactCause& cause, const Effect& effect,
   return axes;
 }
 
-// What the sensor reads follows something else than a constant gain or offset.
+// The sensor's reading follows something else than a constant gain or offset.
 void measure_offset(TermAxes& axes, const Effect& effect) {
   const std::string_view name = effect.cause->name();
   axes.y = law_axis(Target::offset, axes.sites.front());

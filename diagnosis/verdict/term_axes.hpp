@@ -1,4 +1,4 @@
-// What a term's partial residuals (partial_residuals.hpp) are drawn over, and measured in.
+// Axes over which a term's partial residuals (partial_residuals.hpp) are drawn.
 //
 //   law, or a cause that follows something   x: its covariate             y: f(x), a relative
 //   change
@@ -35,8 +35,8 @@ enum class DrawnOver : std::uint8_t {
   sensor,    // tension at the term's own sensor
   other,     // tension at another sensor of the row
   beside,    // sum of the tensions at the sensors beside its own
-  recorded,  // what the row records
-  product,   // of the factors of two covariates
+  recorded,  // a covariate that the row records
+  product,   // product of the factors of two covariates
   row,       // sum of the readings, where no motor tension is recorded
   change,    // p − q
 };
@@ -46,8 +46,8 @@ struct TermAxes {
   AxisName y;
   DrawnOver over = DrawnOver::recorded;
   causes::Covariate covariate{};  // recorded, other
-  causes::Term product{};         // whose factors x is of
-  // Where the term acts: its contacts, its sensor or the motor.
+  causes::Term product{};         // the term whose factors x is the product of
+  // Sites of the term: its contacts, its sensor or the motor.
   std::vector<causes::Site> sites;
   // Laws whose constant is one more of y; none of a constant cause, whose own size is.
   std::vector<causes::Term> levers;

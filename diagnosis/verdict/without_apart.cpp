@@ -25,7 +25,7 @@ bool is_at(const ComparedCell& cell, const MeasuredData& data, const Loss& loss,
          reading.direction == loss.direction && own == segment;
 }
 
-// Of the cells at one end of a stretch.
+// The cells at one end of a stretch.
 struct End {
   std::vector<Cell> cells;
   double misfit = 0;
