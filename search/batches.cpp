@@ -24,25 +24,25 @@
 namespace reeve::search {
 namespace {
 
-// What an exploration says of the routings that its source leaves out (routing_source.hpp): they
-// count as what was made and rejected for its parts.
+// Counts the routings that the source leaves out (routing_source.hpp) as generated and rejected for
+// their parts.
 class LeftOutRoutings {
  public:
-  // Of the routings of `range`; those before `counted`, of its first, are in the part already.
-  // Keeps the source.
+  // Counts routings of `range`. The first `counted` places of the range are in the part already.
+  // Keeps a reference to the source.
   LeftOutRoutings(const ExploreOptions& options, RoutingSource& source, ShardRange range,
                   std::uint64_t counted);
 
-  // Another range.
+  // Continues with another range.
   void go_on_with(ShardRange range, std::uint64_t counted);
 
-  // Those among the first `generated` that were not added before.
+  // Adds the left-out routings among the first `generated` that were not added before.
   void add_to(ExplorationPart& part, std::uint64_t generated);
 
  private:
   RoutingSource& source_;
   ShardRange range_;
-  std::vector<std::uint64_t> before_;  // of each constraint, at places counted already
+  std::vector<std::uint64_t> before_;  // [constraint]: rejections at places counted already
   std::vector<std::optional<RoutingSource::LeftOutPlace>> references_;
 };
 
@@ -75,19 +75,21 @@ void LeftOutRoutings::add_to(ExplorationPart& part, std::uint64_t generated) {
   }
 }
 
-// Large enough that the threads wait for the slowest but rarely, small enough for a cache, for
-// Ctrl-C and for who loses what is in flight; a grain is some tenths of a millisecond.
+// Batches are large enough that threads rarely wait for the slowest one. They are small enough for
+// a cache, for Ctrl-C, and to lose little on an interrupt. A grain takes some tenths of a
+// millisecond.
 constexpr std::size_t batch_size = 2048;
 constexpr std::size_t grain = 64;
 
-// What became of one routing of a batch.
+// A routing of a batch and its evaluation.
 struct BatchSlot {
   Routing routing;
-  std::string word;                   // if it may be kept
-  std::uint64_t place = 0;            // in the whole enumeration
-  ObjectiveValues values{};           // of the objectives that decide
-  ObjectiveValues all_values{};       // of what is kept in a store
-  std::size_t failed_constraint = 0;  // its number, from 1; 0: none
+  std::string word;                   // set if it may be kept
+  std::uint64_t place = 0;            // place in the whole enumeration
+  ObjectiveValues values{};           // values of the deciding objectives
+  ObjectiveValues all_values{};       // every value, for a store
+  std::size_t failed_constraint = 0;  // constraint number, from 1; 0: none
+  bool has_tensions = true;
   bool may_rank = false;
   bool may_be_rung = false;
   bool sampled = false;
@@ -97,8 +99,8 @@ struct BatchSlot {
 
 struct Batch {
   std::vector<BatchSlot> slots;
-  std::size_t actuated = 0;     // of the slots, those in use
-  std::uint64_t generated = 0;  // routings up to its last one
+  std::size_t actuated = 0;     // number of slots in use
+  std::uint64_t generated = 0;  // number of routings up to the last slot
 };
 
 class Exploration {
@@ -167,7 +169,7 @@ class Exploration {
     count_from_zero();
     ExplorationPart part = run(supervision);
     seen_->absorb(part);
-    // What is asked for is thinned out, and keeps off what comes after it.
+    // Both calls thin out the kept designs, so that they reject later designs sooner.
     seen_->archive.members();
     seen_->ladder.candidates();
     return part;
@@ -179,7 +181,7 @@ class Exploration {
     references_.count_from_zero();
   }
 
-  // What was counted before is the first worker's.
+  // Credits all earlier counts to the first worker.
   void go_on() {
     generated_ = part_.generated;
     seconds_before_ = part_.seconds;
@@ -217,7 +219,7 @@ class Exploration {
     try {
       fill_on(batch);
     } catch (const WayStopped&) {
-      // With what there is so far.
+      // The batch keeps the slots filled so far.
     }
     batch.generated = filled_;
   }
@@ -245,15 +247,36 @@ class Exploration {
     });
   }
 
-  // One who waits for the end does not wait for the batch, but for a design at least.
+  // True until a stop. The first designs are always evaluated; after a stop, the rest of the batch
+  // is not.
   bool may_go_on(std::size_t i) const { return i < 2 * grain || !must_stop(); }
 
   void evaluate(BatchSlot& slot, std::size_t worker) {
     DecidingEvaluator& evaluator = evaluators_[worker];
     const std::size_t before = evaluator.unconverged();
-    const std::optional<ObjectiveValues> far = far_values(slot.routing, evaluator);
-    slot.values = far ? *far : evaluator.evaluate(slot.routing);
+    try {
+      slot.has_tensions = true;
+      judge(slot, far_values(slot.routing, evaluator), worker);
+    } catch (const OutOfRange&) {
+      slot.has_tensions = false;
+      leave_out(slot, evaluator);
+    }
     slot.unconverged = evaluator.unconverged() - before;
+    slot.done = true;
+  }
+
+  // Constraints on parts need no tensions, so they reject what they would reject unmade.
+  void leave_out(BatchSlot& slot, DecidingEvaluator& evaluator) const {
+    slot.values = evaluator.part_values(slot.routing);
+    const auto first = options_.constraints.begin();
+    slot.failed_constraint =
+        first_failure({first, first + static_cast<std::ptrdiff_t>(deciding_parts_)}, slot.values);
+    slot.may_rank = slot.may_be_rung = slot.sampled = false;
+    slot.word = to_word(slot.routing);
+  }
+
+  void judge(BatchSlot& slot, const std::optional<ObjectiveValues>& far, std::size_t worker) {
+    slot.values = far ? *far : evaluators_[worker].evaluate(slot.routing);
     slot.failed_constraint = first_failure(options_.constraints, slot.values);
     if (slot.failed_constraint > 0 && tells_reaches_)
       reaches_[worker].add(options_.constraints, slot.values);
@@ -264,15 +287,14 @@ class Exploration {
     if (seen_) hold_against_seen(slot);
     if (slot.may_rank || slot.may_be_rung || checkpoint_.design) {
       slot.word = to_word(slot.routing);
-      // Who reads what is kept asks for any of them.
+      // A reader of the store may ask for any value.
       if (keeps_) slot.all_values = whole_[worker].evaluate(slot.routing);
     }
     references_.count(evaluated(slot), worker, part_.references);
-    slot.done = true;
   }
 
-  // Of a design that is far from what is kept, and clearly better or not than what is counted,
-  // values at best say all that evaluating would. Nothing of one that is not.
+  // Returns the values at best if they suffice: if the design cannot be kept, and counts alike at
+  // best and at worst. Otherwise returns nothing.
   std::optional<ObjectiveValues> far_values(const Routing& routing,
                                             DecidingEvaluator& evaluator) const {
     if (!parts_decide_) return std::nullopt;
@@ -307,11 +329,12 @@ class Exploration {
   void withdraw_from(std::size_t first) {
     generated_ = batch_.slots[first].place - range_.begin;
     for (std::size_t i = first; i < batch_.actuated; ++i) {
-      if (batch_.slots[i].done) references_.take_off(evaluated(batch_.slots[i]), part_.references);
+      const BatchSlot& slot = batch_.slots[i];
+      if (slot.done && slot.has_tensions) references_.take_off(evaluated(slot), part_.references);
     }
   }
 
-  // What is not made where designs are pruned counts for nothing where all are made.
+  // True if a pruned search would not make this routing; it then counts for nothing.
   bool fails_by_parts(const BatchSlot& slot) const {
     return slot.failed_constraint > 0 && slot.failed_constraint <= deciding_parts_;
   }
@@ -321,11 +344,16 @@ class Exploration {
   }
 
   void collect(std::size_t done) {
-    part_.evaluated += done;
     for (std::size_t i = 0; i < done; ++i) {
       const BatchSlot& slot = batch_.slots[i];
       if (!fails_by_parts(slot)) part_.unconverged += slot.unconverged;
-      if (checkpoint_.design) checkpoint_.design({slot.place, slot.word, slot.all_values});
+      if (!slot.has_tensions && slot.failed_constraint == 0) {
+        part_.without_tensions.add({1, slot.word});
+        continue;
+      }
+      ++part_.evaluated;
+      if (slot.has_tensions && checkpoint_.design)
+        checkpoint_.design({slot.place, slot.word, slot.all_values});
       if (slot.failed_constraint > 0) ++part_.constraint_failures[slot.failed_constraint - 1];
       const ObjectiveValues& values = keeps_ ? slot.all_values : slot.values;
       if (slot.may_rank) part_.archive.add({slot.word, values});
@@ -361,18 +389,18 @@ class Exploration {
   Workers workers_;
   ReferenceTally references_;
   ExplorationPart part_;
-  std::optional<ExplorationPart> seen_;  // in the pieces before
+  std::optional<ExplorationPart> seen_;  // kept designs of the pieces before
   const std::atomic<bool>* stop_ = nullptr;
   std::vector<DecidingEvaluator> evaluators_;
-  std::vector<DesignEvaluator> whole_;      // for a store
-  std::vector<ConstraintReaches> reaches_;  // of each worker
-  Batch batch_;                             // that is evaluated
-  Batch next_;                              // that is generated meanwhile
+  std::vector<DesignEvaluator> whole_;      // one for each worker, for a store
+  std::vector<ConstraintReaches> reaches_;  // one for each worker
+  Batch batch_;                             // the batch being evaluated
+  Batch next_;                              // the batch being generated meanwhile
   std::uint64_t filled_ = 0;                // routings generated
   std::uint64_t generated_ = 0;             // … up to the last that was evaluated
 };
 
-// With what it refers to.
+// An exploration that owns the options that it refers to.
 struct OwnExploration {
   explicit OwnExploration(const ExploreOptions& asked) : options(asked) {}
 

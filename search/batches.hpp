@@ -19,8 +19,8 @@
 
 namespace reeve::search {
 
-// Whether designs are left out that constraints reject for their parts alone, or all are looked at
-// to say how near they come.
+// that_may_be_kept: designs that constraints reject for their parts alone are left out.
+// all: every design is evaluated, to find how near it comes to the constraints.
 enum class EvaluatedDesigns : std::uint8_t { that_may_be_kept, all };
 
 ExplorationPart search_batches(const ExploreOptions& options, const Checkpoint& checkpoint,

@@ -97,24 +97,48 @@ std::vector<ReferenceStanding> standings(std::vector<Design> designs,
 }
 
 std::vector<Rejection> rejections(const ExplorationPart& part) {
-  std::vector<Rejection> rejected{{std::nullopt, part.generated - part.evaluated}};
+  const std::uint64_t actuated = part.evaluated + part.without_tensions.count;
+  std::vector<Rejection> rejected{{std::nullopt, part.generated - actuated}};
   for (std::size_t c = 0; c < part.constraint_failures.size(); ++c) {
     rejected.push_back({c, part.constraint_failures[c]});
   }
   return rejected;
 }
 
-// Nothing where nothing was evaluated, so that no constraint is to blame.
+// Returns nothing if no routing was evaluated, so that no constraint is to blame.
 std::vector<ConstraintReach> infeasible(const ExplorationPart& part) {
   const bool is_whole = part.generated == part.total;
   return is_whole && part.evaluated > 0 ? part.reaches.list() : std::vector<ConstraintReach>{};
 }
 
-// What the first constraints reject for parts alone.
+// Number of designs that the first constraints reject for their parts alone.
 std::uint64_t pruned_designs(const ExplorationPart& part, const ExploreOptions& options) {
   const auto begin = part.constraint_failures.begin();
   const auto many = static_cast<std::ptrdiff_t>(pruning_constraints(options));
   return std::accumulate(begin, begin + many, std::uint64_t{0});
+}
+
+// Throws InputError on a word that is no routing of this exploration.
+Routing generated_routing(const std::string& word, const ExploreOptions& options) {
+  Routing routing = parse_routing(word);
+  if (finger_count(routing) == options.generator.fingers && is_actuated(routing)) return routing;
+  throw InputError({.what = "routing",
+                    .value = word,
+                    .expected = fmt::format("one of {} fingers that the motor pulls",
+                                            options.generator.fingers)});
+}
+
+// Empty if there is no such design.
+std::string why_without_tensions(const WithoutTensions& designs, const ExploreOptions& options) {
+  if (designs.count == 0) return "";
+  try {
+    DecidingEvaluator(options.model, options.grasps, options.score, options.prices,
+                      deciding_objectives(options))
+        .evaluate(generated_routing(designs.example, options));
+  } catch (const OutOfRange& error) {
+    return error.what();
+  }
+  return "";
 }
 
 // The first `top` and the front: beyond these the archive has gaps, so that no rank there is one.
@@ -158,21 +182,11 @@ void place_listed(ExploreResult& result, std::vector<RankedDesign> listed,
   }
 }
 
-// Where they are not known they are empty.
+// Unknown reaches are empty.
 std::vector<ConstraintReach> recorded_reaches(const ExplorationPart& part) {
   std::vector<ConstraintReach> reaches = part.reaches.list();
   reaches.resize(part.constraint_failures.size());
   return reaches;
-}
-
-// Throws InputError on a word that is no routing of this exploration.
-Routing generated_routing(const std::string& word, const ExploreOptions& options) {
-  Routing routing = parse_routing(word);
-  if (finger_count(routing) == options.generator.fingers && is_actuated(routing)) return routing;
-  throw InputError({.what = "routing",
-                    .value = word,
-                    .expected = fmt::format("one of {} fingers that the motor pulls",
-                                            options.generator.fingers)});
 }
 
 std::vector<Routing> generated_routings(const std::vector<std::string>& words,
@@ -192,7 +206,7 @@ ExplorationPart counted_part(const ShardRecord& record, const ExploreOptions& op
   return part;
 }
 
-// With options of its own.
+// Adds records to a part; holds its own options, workers and evaluators.
 class RecordAbsorber {
  public:
   RecordAbsorber(ExploreOptions options, bool with_all_values)
@@ -247,6 +261,15 @@ class RecordAbsorber {
 
 }  // namespace
 
+void WithoutTensions::add(const WithoutTensions& other) {
+  const auto comes_before = [](const std::string& a, const std::string& b) {
+    return a.size() != b.size() ? a.size() < b.size() : a < b;
+  };
+  if (other.count == 0) return;
+  if (count == 0 || comes_before(other.example, example)) example = other.example;
+  count += other.count;
+}
+
 bool DesignSample::would_enter(std::uint64_t place) const {
   if (members_.size() < size_) return true;
   return size_ > 0 && lot(place) < members_.front().lot;
@@ -289,6 +312,7 @@ void ExplorationPart::absorb(ExplorationPart other) {
   total += other.total;
   generated += other.generated;
   evaluated += other.evaluated;
+  without_tensions.add(other.without_tensions);
   unconverged += other.unconverged;
   seconds += other.seconds;
   for (std::size_t c = 0; c < constraint_failures.size(); ++c) {
@@ -342,6 +366,8 @@ ExploreResult conclude(ExplorationPart part, const ExploreOptions& options) {
   result.generated = part.generated;
   result.partial = part.generated < part.total;
   result.evaluated = part.evaluated;
+  result.without_tensions = part.without_tensions;
+  result.why_without_tensions = why_without_tensions(part.without_tensions, options);
   result.seconds = part.seconds;
   result.rejected = rejections(part);
   result.pruned = pruned_designs(part, options);

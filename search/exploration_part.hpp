@@ -1,9 +1,9 @@
-// What a search through some of the routings keeps of them, such that parts of an enumeration can
-// be put together to what a search through all of it would have kept.
+// A search result for some of the routings. Parts put together equal one search through all of
+// them.
 //
-// Exact, whatever the cut: the keep-skyband of a union is within the union of the skybands, as a
-// front within that of the fronts; the lots of a sample belong to places of the whole enumeration;
-// counts add up. So a part is concluded alone, or after it has absorbed the others.
+// This is exact for every cut. The keep-skyband of a union lies within the union of the skybands,
+// and likewise for fronts. The lots of a sample belong to places of the whole enumeration. Counts
+// add up. A part can thus be concluded alone, or after it has absorbed the others.
 #pragma once
 
 #include <cstddef>
@@ -32,8 +32,7 @@ class DesignSample {
  public:
   explicit DesignSample(std::size_t size) : size_(size) {}
 
-  // Whether the routing at this place of the enumeration would enter now; may be asked from many
-  // threads.
+  // True if the routing at this place of the enumeration would enter now. Thread-safe.
   bool would_enter(std::uint64_t place) const;
 
   void add(std::uint64_t place, const Routing& routing);
@@ -58,20 +57,21 @@ class DesignSample {
 struct ExplorationPart : ExplorationCounts {
   explicit ExplorationPart(const ExploreOptions& options);
 
-  ConstraintReaches reaches;  // of no constraint where designs are left out for their parts
+  ConstraintReaches reaches;  // empty if designs are left out for their parts
   // Designs in archive and ladder need have no values but those by which they are kept.
   Archive archive;
   LadderArchive ladder;
   DesignSample sample;
 
-  // Of the same exploration, and disjoint.
+  // Adds a disjoint part of the same exploration.
   void absorb(ExplorationPart other);
 };
 
-// All that a routing is kept or left for.
+// Returns all objectives by which a routing is kept or left out.
 std::vector<Objective> deciding_objectives(const ExploreOptions& options);
 
-// As words, and back. Throws InputError on a word that is no routing of this exploration.
+// Convert a part to words and back. Throws InputError on a word that is no routing of this
+// exploration.
 ShardRecord record_of(ExplorationPart& part);
 ExplorationPart part_of(const ShardRecord& record, const ExploreOptions& options);
 
@@ -83,8 +83,8 @@ ExploreResult conclude(ExplorationPart part, const ExploreOptions& options);
 ExploreResult conclude(const std::vector<ShardRecord>& shards, const ExploreOptions& options,
                        const Supervision& supervision = {});
 
-// How near the designs come to constraints that none of them meets: where some were left out for
-// their parts, all are looked at again, one by one. False if that was stopped.
+// Finds how near the designs come to constraints that none of them meets. If some designs were left
+// out for their parts, all are evaluated again, one by one. Returns false if stopped.
 bool find_reaches(ExplorationPart& part, const ExploreOptions& options,
                   const Supervision& supervision);
 

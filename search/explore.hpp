@@ -27,7 +27,7 @@
 namespace reeve::search {
 
 struct Shard {
-  std::uint64_t index = 1;  // from 1
+  std::uint64_t index = 1;  // 1 to count
   std::uint64_t count = 1;
 };
 
@@ -48,25 +48,25 @@ struct ExploreOptions {
   std::vector<Routing> references;  // canonical routings whose place among the others is wanted
   std::optional<PartPrices> prices;
   LadderOptions ladder;
-  bool keeps_record = false;  // of the shard, to be put together with others
-  // Of the parts that hands are built of, those that would make too many routings.
+  bool keeps_record = false;  // true if the result has a record of the shard
+  // The parts used in real hands that were left out, since they would make too many routings.
   std::optional<LeftOutParts> left_out{};
 };
 
 struct Progress {
   std::uint64_t done = 0;  // routings generated
   std::uint64_t total = 0;
-  std::uint64_t before = 0;  // of those done, by an earlier run
+  std::uint64_t before = 0;  // routings done by an earlier run
 };
 
-// How long exploring may run, and who wants to know. All may be empty.
+// Progress and cancellation callbacks of an exploration. All may be empty.
 struct Supervision {
   std::function<void(const Progress&)> report;
   const std::atomic<bool>* stop = nullptr;
 };
 
 struct Rejection {
-  // Which of the constraints; none: its tendons do not all hang on the motor.
+  // Index of the failed constraint. None: not all tendons hang on the motor.
   std::optional<std::size_t> constraint;
   std::uint64_t count = 0;
 };
@@ -81,21 +81,23 @@ struct ReferenceStanding {
 };
 
 struct ExploreResult {
-  std::uint64_t total = 0;      // in this shard
+  std::uint64_t total = 0;      // routings in this shard
   std::uint64_t generated = 0;  // less than total if stopped
   std::vector<Rejection> rejected;
-  std::uint64_t evaluated = 0;
-  // Of the evaluated, those that constraints on parts alone reject: counted, not made, unless
-  // somebody keeps all designs (routing_source.hpp).
+  std::uint64_t evaluated = 0;  // actuated, and with tensions
+  WithoutTensions without_tensions;
+  std::string why_without_tensions{};  // reason, for the example
+  // Evaluated designs that constraints on parts alone reject. They are counted, not made, unless
+  // all designs are kept (routing_source.hpp).
   std::uint64_t pruned = 0;
-  bool made_all = false;  // also those
+  bool made_all = false;  // true if the pruned designs were made, too
   bool partial = false;
   double seconds = 0;
   std::vector<RankedDesign> front;
   std::vector<RankedDesign> top;
-  std::vector<Routing> routings;  // of the longer of the two, in its order
-  std::vector<BestDesigns> best;  // among top and front, with a few words each
-  std::vector<Design> sample;     // of all that no constraint rejects (DesignSample)
+  std::vector<Routing> routings;  // routings of the longer list, front or top, in its order
+  std::vector<BestDesigns> best;  // best of top and front for each objective, a few words each
+  std::vector<Design> sample;     // random sample of the designs that meet all constraints
   std::uint64_t front_equals_left_out = 0;
   // Tension solves (evaluation.hpp), but for designs that constraints on parts alone reject.
   std::uint64_t unconverged = 0;
@@ -107,8 +109,8 @@ struct ExploreResult {
   std::optional<ShardRecord> record;  // if it was asked for
 };
 
-// Who goes through the routings of the shard, from where what is kept ends; what is kept of all of
-// them then.
+// Searches the routings of the shard from the checkpoint on, and returns the part kept of all of
+// them.
 using Searcher =
     std::function<ExplorationPart(const ExploreOptions&, const Supervision&, const Checkpoint&)>;
 

@@ -1,5 +1,5 @@
-// Where known routings stand among all that are searched: which of them were generated, what
-// rejected them, and how many designs dominate each.
+// Standing of known routings among all searched routings: whether each was generated, which
+// constraint rejected it, and how many designs dominate it.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace reeve::search {
 
 struct EvaluatedRouting {
   const Routing& routing;
-  const ObjectiveValues& values;  // those of the order and the constraints at least
+  const ObjectiveValues& values;  // has at least those of the order and the constraints
   std::size_t failed_constraint;  // its number, from 1; 0: none
 };
 
@@ -23,16 +23,16 @@ class ReferenceTally {
   ReferenceTally(const ExploreOptions& options, std::size_t workers);
 
   void count_from_zero();
-  // What was counted before is the first worker's.
+  // Credits all earlier counts to the first worker.
   void go_on(const std::vector<ReferenceCount>& counted);
 
   // Each routing is generated once, so no two workers write one count of the references.
   void count(const EvaluatedRouting& evaluated, std::size_t worker,
              std::vector<ReferenceCount>& references);
-  // Of a routing that was counted, by whichever worker.
+  // Undoes the count of a routing, whichever worker counted it.
   void take_off(const EvaluatedRouting& evaluated, std::vector<ReferenceCount>& references);
 
-  // Whether a design between these values is counted as one that has them.
+  // True if all values between the two estimates give the same count.
   bool agree(const Estimate& estimate) const;
 
   void add_up(std::vector<ReferenceCount>& references) const;
@@ -42,7 +42,7 @@ class ReferenceTally {
            std::vector<ReferenceCount>& references);
 
   const ExploreOptions& options_;
-  std::vector<Goodness> goodness_;  // of the references
+  std::vector<Goodness> goodness_;  // one for each reference
   // [worker][reference]; a worker's own count may fall below zero, their sum does not.
   std::vector<std::vector<std::int64_t>> dominators_;
 };

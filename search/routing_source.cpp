@@ -3,16 +3,22 @@
 namespace reeve::search {
 namespace {
 
+// True if the generators of limits/ support these options.
+bool may_be_limited(const GeneratorOptions& generator) {
+  return generator.identity == FingerIdentity::identical && generator.parts.motors == 1 &&
+         generator.parts.beside.empty();
+}
+
 // Without blocks, to pass over tendons that hang on no motor is cheaper than to make them; with
 // blocks it is not.
 bool is_limited(const GeneratorOptions& generator, bool prunes) {
-  return prunes || (generator.identity == FingerIdentity::identical && generator.parts.blocks == 0);
+  return prunes || (may_be_limited(generator) && generator.parts.blocks == 0);
 }
 
 }  // namespace
 
 std::size_t pruning_constraints(const ExploreOptions& options) {
-  if (options.generator.identity == FingerIdentity::distinct) return 0;
+  if (!may_be_limited(options.generator)) return 0;
   return decided_by_parts(options.constraints, options.generator);
 }
 

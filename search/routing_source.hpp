@@ -1,9 +1,10 @@
-// Where an exploration has its routings from: all of a range that hang on the motor, or, where the
-// first of its constraints bound nothing but parts, those of them that meet these, in the same
-// order and at the same places. What such constraints reject is then counted, not made.
+// Source of the routings of an exploration: all routings of a range that hang on the motor.
 //
-// A constraint behind one that needs tensions takes no part: which of both is the first to reject a
-// design is known only when the tensions are.
+// If the first constraints bound only parts, the source gives just the routings that meet them, in
+// the same order and at the same places. Rejected routings are then counted, not made.
+//
+// A constraint behind one that needs tensions does not prune: only tensions tell which of the two
+// is the first to reject a design.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +17,8 @@
 
 namespace reeve::search {
 
-// How many of the first constraints keep routings from being made, whatever the friction. None
-// where fingers are told apart.
+// Returns how many of the first constraints prune the generation, whatever the friction. Returns 0
+// for distinct fingers, several motors and joins beside ends: all routings are then made.
 std::size_t pruning_constraints(const ExploreOptions& options);
 
 class RoutingSource {
@@ -26,8 +27,7 @@ class RoutingSource {
 
   std::uint64_t total() const { return all_.total(); }
 
-  // Whether all ways from step to step are to end: what is asked for then throws WayStopped, and
-  // has to be sought again. Nothing: never.
+  // If `*stop` becomes true, all calls throw WayStopped; seek() again afterwards. nullptr: never.
   void stop_with(const std::atomic<bool>* stop);
 
   // The next call of next() gives the first from `begin` on.
@@ -35,15 +35,16 @@ class RoutingSource {
   // False behind the last before the end. Keeps the memory of `routing`.
   bool next(Routing& routing, std::uint64_t& place);
 
-  // Of the routings before this place that are not given, how many each of the pruning constraints
-  // is the first to reject. Quick behind what was gone through; elsewhere as long as a seek.
+  // Returns, for each pruning constraint, how many left-out routings before this place it is the
+  // first to reject. Quick behind places passed already; elsewhere as slow as a seek.
   std::vector<std::uint64_t> left_out_before(std::uint64_t place);
 
   struct LeftOutPlace {
     std::uint64_t place = 0;
     std::size_t constraint = 0;
   };
-  // Where it is not given for a constraint, if it is among all. Canonical.
+  // Returns the place of a canonical routing that a constraint leaves out. Returns nothing if it is
+  // given or not in the enumeration.
   std::optional<LeftOutPlace> place_left_out(const Routing& routing);
 
  private:

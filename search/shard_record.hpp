@@ -1,5 +1,5 @@
-// What the files of a shard must hold, so that shards can be put together exactly: routings as
-// words and what was counted. Values are worked out again from the words.
+// Content of a shard's files: routings as words, and counts. Shards can be put together exactly
+// from it; values are evaluated again from the words.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,19 @@
 
 namespace reeve::search {
 
-// How the generated designs stand to a reference.
+// Relation of the generated designs to a reference.
 struct ReferenceCount {
   std::uint64_t dominated_by = 0;
   bool generated = false;
   std::optional<std::size_t> rejected_by;
+};
+
+// Designs that have no tensions in one of the grasps: counted, and left out.
+struct WithoutTensions {
+  std::uint64_t count = 0;
+  std::string example{};  // the shortest word, of these the first by letters
+
+  void add(const WithoutTensions& other);
 };
 
 struct ArchivedWord {
@@ -25,7 +33,7 @@ struct ArchivedWord {
 };
 
 struct SampledWord {
-  std::uint64_t place = 0;  // in the whole enumeration
+  std::uint64_t place = 0;  // place in the whole enumeration
   std::string word;
 };
 
@@ -33,6 +41,7 @@ struct ExplorationCounts {
   std::uint64_t total = 0;
   std::uint64_t generated = 0;
   std::uint64_t evaluated = 0;
+  WithoutTensions without_tensions{};
   std::uint64_t unconverged = 0;  // tension solves that decide what is kept
   double seconds = 0;
   std::vector<std::uint64_t> constraint_failures{};  // parallel to the constraints

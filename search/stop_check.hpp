@@ -1,4 +1,4 @@
-// A stop that is asked for on a long way from step to step, where no result can be had half-way.
+// Request to stop a long walk from step to step, which has no result half-way.
 #pragma once
 
 #include <atomic>
@@ -7,16 +7,16 @@
 
 namespace reeve::search {
 
-// Thrown, and caught by who set the check.
+// Caught by the code that set the check.
 struct WayStopped {};
 
 class StopCheck {
  public:
   StopCheck() = default;
-  // Nothing: never.
+  // nullptr: never stops.
   explicit StopCheck(const std::atomic<bool>* stop) : stop_(stop) {}
 
-  // Of each step, some microseconds; looks at the flag some hundred times a second.
+  // Call it on each step of some microseconds. It reads the flag some hundred times a second.
   void step() {
     constexpr unsigned every = 1024;
     if (stop_ == nullptr || ++steps_ % every != 0) return;

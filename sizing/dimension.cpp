@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/nearest_name.hpp"
 #include "core/routing.hpp"
 #include "core/text.hpp"
 
@@ -81,11 +82,9 @@ SizedDimension of_finger(const QuantityRow& row, const std::string& text,
 
 SizedDimension of_contact(const QuantityRow& row, const std::string& text,
                           const std::string& whole) {
-  const std::size_t dash = std::min(text.find('-'), text.size());
-  const std::optional<Segment> from = segment_named(text.substr(0, dash));
-  const std::optional<Segment> to = segment_named(dash == text.size() ? "" : text.substr(dash + 1));
-  if (!from || !to) fail(whole, "the two segments beside a contact, such as contact_angle[T2-T3]");
-  return {row.quantity, 0, *from, *to};
+  const std::optional<ContactName> contact = contact_named(text);
+  if (!contact) fail(whole, "the two segments beside a contact, such as contact_angle[T2-T3]");
+  return {row.quantity, 0, contact->from, contact->to};
 }
 
 }  // namespace
@@ -150,11 +149,6 @@ std::vector<SameGroup> parse_same(const std::string& text) {
   return groups;
 }
 
-bool is_between(const SizedDimension& dimension, const Segment& left, const Segment& right) {
-  return (dimension.from == left && dimension.to == right) ||
-         (dimension.from == right && dimension.to == left);
-}
-
 std::span<const QuantityRow> quantity_table() { return quantities; }
 
 const QuantityRow& row(SizedQuantity quantity) {
@@ -162,8 +156,12 @@ const QuantityRow& row(SizedQuantity quantity) {
 }
 
 bool operator==(const SizedDimension& a, const SizedDimension& b) {
+  return a.quantity == b.quantity && a.finger == b.finger && a.contact() == b.contact();
+}
+
+bool mean_the_same(const SizedDimension& a, const SizedDimension& b) {
   return a.quantity == b.quantity && a.finger == b.finger &&
-         (row(a.quantity).of != QuantityOf::contact || is_between(a, b.from, b.to));
+         core::mean_the_same(a.contact(), b.contact());
 }
 
 std::string to_text(const SizedDimension& dimension) {
@@ -172,8 +170,7 @@ std::string to_text(const SizedDimension& dimension) {
     case QuantityOf::finger:
       return fmt::format("{}[{}]", about.name, dimension.finger);
     case QuantityOf::contact:
-      return fmt::format("{}[{}-{}]", about.name, segment_name(dimension.from),
-                         segment_name(dimension.to));
+      return fmt::format("{}[{}]", about.name, to_text(dimension.contact()));
     case QuantityOf::hand:
       break;
   }
@@ -183,17 +180,16 @@ std::string to_text(const SizedDimension& dimension) {
 std::string to_text(const DimensionName& name) {
   std::string subjects;
   for (const SizedDimension& one : name.named) {
-    subjects +=
-        (subjects.empty() ? "" : ",") +
-        (one.finger > 0 ? std::to_string(one.finger)
-                        : fmt::format("{}-{}", segment_name(one.from), segment_name(one.to)));
+    subjects += (subjects.empty() ? "" : ",") +
+                (one.finger > 0 ? std::to_string(one.finger) : to_text(one.contact()));
   }
   return subjects.empty() ? row(name.quantity).name
                           : fmt::format("{}[{}]", row(name.quantity).name, subjects);
 }
 
 bool DimensionName::has(const SizedDimension& dimension) const {
-  return std::find(named.begin(), named.end(), dimension) != named.end();
+  return std::any_of(named.begin(), named.end(),
+                     [&](const SizedDimension& one) { return mean_the_same(one, dimension); });
 }
 
 DimensionName parse_dimensions(const std::string& text) {
@@ -202,7 +198,11 @@ DimensionName parse_dimensions(const std::string& text) {
   const auto about = std::find_if(quantities.begin(), quantities.end(),
                                   [&](const QuantityRow& row) { return row.name == name; });
   const bool closed = bracket == text.size() || text.back() == ']';
-  if (about == quantities.end() || !closed) fail(text, "one of " + quantity_names());
+  if (about == quantities.end() || !closed) {
+    std::vector<std::string> names;
+    for (const QuantityRow& row : quantities) names.emplace_back(row.name);
+    fail(text, fmt::format("one of {}{}", quantity_names(), did_you_mean(name, names)));
+  }
   DimensionName result{about->quantity, {}};
   if (bracket == text.size()) {
     if (about->of == QuantityOf::contact) fail(text, "a contact, such as contact_angle[T2-T3]");

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "core/contact_name.hpp"
 #include "core/network.hpp"
 #include "numerics/minimise.hpp"
 
@@ -37,10 +38,10 @@ enum class QuantityOf : std::uint8_t { finger, contact, hand };
 struct QuantityRow {
   SizedQuantity quantity;
   const char* name;
-  const char* plural;  // "sheaths", to speak of all of them; "" if nobody does
+  const char* plural;  // "sheaths" as a name for all of them; "" if there is none
   const char* unit;
   QuantityOf of;
-  Interval possible;  // that a hardware can have
+  Interval possible;  // values that a hardware can have
 };
 
 std::span<const QuantityRow> quantity_table();
@@ -48,14 +49,16 @@ const QuantityRow& row(SizedQuantity quantity);
 
 struct SizedDimension {
   SizedQuantity quantity{};
-  int finger = 0;        // of a finger's
-  Segment from{}, to{};  // of a contact's, in either order
+  int finger = 0;        // number of the finger, for a finger's dimension
+  Segment from{}, to{};  // ends of the contact, as in its name
+
+  ContactName contact() const { return {from, to}; }
 
   friend bool operator==(const SizedDimension& a, const SizedDimension& b);
 };
 
-// Whether it is that of the contact between these two, in either order.
-bool is_between(const SizedDimension& dimension, const Segment& left, const Segment& right);
+// True if the two are one dimension in every routing that has it.
+bool mean_the_same(const SizedDimension& a, const SizedDimension& b);
 
 // "sheath_angle[1]", "contact_angle[T2-T3]", "hand_mm"
 std::string to_text(const SizedDimension& dimension);
@@ -74,17 +77,16 @@ std::string to_text(const DimensionName& name);
 // InputError.
 DimensionName parse_dimensions(const std::string& text);
 
-// Which dimensions may be chosen, in what bounds, and which of them must stay equal, as the user
-// says it.
+// Dimensions that may vary, and their bounds, as the user gives them.
 struct VariedRange {
   DimensionName name;
   Interval bounds;
-  std::string text;  // as it was given, for messages: "vary 'hand_mm=50..90'", "h.toml:3:1"
+  std::string text;  // text as given, for messages: "vary 'hand_mm=50..90'", "h.toml:3:1"
 };
 
 // "sheath_angle[1]=3..9". Throws InputError.
 VariedRange parse_varied(const std::string& text);
-// Of a name and bounds that stand apart; `text` as above.
+// Makes a range from a separate name and bounds; `text` as above.
 VariedRange varied_range(const std::string& name, const Interval& bounds, const std::string& text);
 
 // Dimensions that are to be equal, so that the fingers' parts are alike.

@@ -1,4 +1,4 @@
-// What dimensions are chosen for: one number of a design.
+// Goal of a choice of dimensions: one number of a design.
 //
 //   product   Π g_i, g_i objectives of which higher is better; or one objective alone
 //   target    the root of Σ_g w_g Σ_f (p_gf − t_f)² / Σ_g w_g, lower is better: by how much the

@@ -10,11 +10,12 @@
 namespace reeve::sizing {
 namespace {
 
-constexpr std::size_t all_corners = 8;   // of so many variables every corner is looked at
-constexpr std::uint64_t ascents = 12;    // of more: from so many corners
-constexpr double share_of_bounds = 0.1;  // of what may be off by any amount
+constexpr std::size_t all_corners = 8;   // up to this number of variables, every corner is
+                                         // evaluated
+constexpr std::uint64_t ascents = 12;    // number of starting corners with more variables
+constexpr double share_of_bounds = 0.1;  // share of the bounds, if there is no tolerance limit
 constexpr int halvings_of_factor = 30;
-constexpr int evaluations_in_box = 200;  // of either search in the whole box
+constexpr int evaluations_in_box = 200;  // limit for each search in the whole box
 constexpr int rounds = 12;
 
 class ToleranceBox {
@@ -98,7 +99,7 @@ class Shrinking {
   const SizingPoint& worst() const { return worst_; }
 
  private:
-  // Whether the box has shrunk.
+  // Returns true if the box has shrunk.
   bool take(const SizingPoint& where) {
     if (!box_.is_lost(box_.loss(where, factor_))) return false;
     factor_ = box_.kept(where, factor_);

@@ -1,15 +1,15 @@
-// How far all dimensions may be off at once.
+// Joint tolerance: allowed deviation of all dimensions at once.
 //
-// Alone, variable i may be off by less_i and more_i (tolerance.hpp). Where one of them has no end,
-// the other counts for it, since parts are made to ±; where neither has, a tenth of the width of
-// the bounds does. Together they make the box
+// Alone, variable i may deviate by less_i and more_i (tolerance.hpp). If one of them has no limit,
+// the other counts for both, since parts are made to ±. If neither has, a tenth of the width of the
+// bounds counts. Together they make the box
 //
 //   x_i − k less_i … x_i + k more_i
 //
-// and the common factor k is the greatest, at most 1, for which no point of it loses more than what
-// is tolerated. It is searched from above: corner by corner (all of them of up to eight variables,
-// of more those that an ascent reaches which turns one variable at a time), then anywhere in the
-// box (DIRECT-L and Subplex); where a point loses too much, the box shrinks along the ray to it
+// The common factor k is the greatest, at most 1, for which no point of the box loses more than is
+// tolerated. The search goes from above, first through the corners: all of them for up to eight
+// variables, else those that an ascent reaches by changing one variable at a time. Then it searches
+// the box (DIRECT-L and Subplex). If a point loses too much, the box shrinks along the ray to it
 // until it does not. A point that none of these finds would make k smaller.
 #pragma once
 

@@ -11,27 +11,28 @@
 namespace reeve::sizing {
 namespace {
 
-bool has_own_angle(const Hardware& hardware, const Segment& left, const Segment& right) {
-  return std::any_of(
-      hardware.contacts.begin(), hardware.contacts.end(), [&](const ContactHardware& contact) {
-        return contact.angle_rad &&
-               is_between(
-                   {{}, 0, parse_segment(contact.segment), parse_segment(contact.other_segment)},
-                   left, right);
-      });
-}
+struct AngledContact {
+  Contact contact;
+  PlacedDimension angle;
+  bool is_own = false;  // the hardware gives the angle of this contact alone
+};
 
-// Calls `visit` with each contact, the segments beside it, and its law.
-template <typename Visit>
-void for_each_contact(const Network& network, const Hardware& hardware, Visit visit) {
+// Without contacts whose angle the word gives: the hardware does not change these.
+std::vector<AngledContact> angled_contacts(const Network& network, const Hardware& hardware) {
   const MechanicsBuilder builder(hardware);
+  std::vector<AngledContact> result;
   for (const TendonSpan& tendon : network.tendons) {
     for (std::size_t k = 0; k < tendon.contacts; ++k) {
-      const auto [left, right] = ends_of(tendon, k);
-      visit(network.contacts[tendon.first_contact + k], network.segments[left],
-            network.segments[right], builder.law_at(network, tendon, k));
+      if (network.contacts[tendon.first_contact + k].angle.is_given()) continue;
+      const ContactHardware* own = builder.own_values(network, tendon, k);
+      const ContactName name = own == nullptr ? name_at(network, tendon, k) : parse_contact(*own);
+      result.push_back({network.contacts[tendon.first_contact + k],
+                        {{SizedQuantity::contact_angle, 0, name.from, name.to},
+                         builder.law_at(network, tendon, k).angle_rad},
+                        own != nullptr && own->angle_rad});
     }
   }
+  return result;
 }
 
 void sort_by_finger(std::vector<PlacedDimension>& found) {
@@ -47,34 +48,24 @@ std::vector<PlacedDimension> angles_of_fingers(const Network& network, const Har
   const bool sheaths = quantity == SizedQuantity::sheath_angle;
   const ContactPlace place = sheaths ? ContactPlace::sheath : ContactPlace::tip;
   std::vector<PlacedDimension> found;
-  for_each_contact(network, hardware,
-                   [&](const Contact& contact, const Segment& left, const Segment& right,
-                       const ContactLaw& law) {
-                     if (contact.place != place) return;
-                     PlacedDimension here{{quantity, contact.finger, {}, {}}, law.angle_rad};
-                     if (contact.finger == 0) {
-                       here.dimension = {SizedQuantity::contact_angle, 0, left, right};
-                     } else if (has_own_angle(hardware, left, right)) {
-                       return;
-                     }
-                     for (const PlacedDimension& other : found) {
-                       if (other.dimension == here.dimension) return;
-                     }
-                     found.push_back(here);
-                   });
+  for (const auto& [contact, angle, is_own] : angled_contacts(network, hardware)) {
+    if (contact.place != place || (contact.finger != 0 && is_own)) continue;
+    PlacedDimension here = angle;
+    if (contact.finger != 0) here.dimension = {quantity, contact.finger, {}, {}};
+    const bool is_there = std::any_of(
+        found.begin(), found.end(),
+        [&](const PlacedDimension& other) { return other.dimension == here.dimension; });
+    if (!is_there) found.push_back(here);
+  }
   sort_by_finger(found);
   return found;
 }
 
 std::vector<PlacedDimension> angles_of_contacts(const Network& network, const Hardware& hardware) {
   std::vector<PlacedDimension> found;
-  for_each_contact(
-      network, hardware,
-      [&](const Contact& contact, const Segment& left, const Segment& right,
-          const ContactLaw& law) {
-        if (contact.kind == ContactKind::bar) return;
-        found.push_back({{SizedQuantity::contact_angle, 0, left, right}, law.angle_rad});
-      });
+  for (const AngledContact& one : angled_contacts(network, hardware)) {
+    if (one.contact.kind != ContactKind::bar) found.push_back(one.angle);
+  }
   return found;
 }
 
@@ -124,7 +115,7 @@ FingerHardware& finger_of(Hardware& hardware, int finger) {
   for (FingerHardware& here : hardware.fingers) {
     if (here.finger == finger) return here;
   }
-  // In the order of the fingers, for who reads the file.
+  // Keeps the order of the fingers, for a reader of the file.
   const auto place = std::find_if(hardware.fingers.begin(), hardware.fingers.end(),
                                   [&](const FingerHardware& here) { return here.finger > finger; });
   FingerHardware& added = *hardware.fingers.emplace(place);
@@ -134,9 +125,7 @@ FingerHardware& finger_of(Hardware& hardware, int finger) {
 
 ContactHardware& contact_of(Hardware& hardware, const SizedDimension& dimension) {
   for (ContactHardware& here : hardware.contacts) {
-    if (is_between(dimension, parse_segment(here.segment), parse_segment(here.other_segment))) {
-      return here;
-    }
+    if (parse_contact(here) == dimension.contact()) return here;
   }
   hardware.contacts.push_back(
       {segment_name(dimension.from), segment_name(dimension.to), std::nullopt, std::nullopt});

@@ -10,7 +10,8 @@
 
 namespace reeve::sizing {
 
-// A dimension where it is: in a routing with a hardware.
+// A dimension where it is: in a routing with a hardware. A contact has the name that the hardware
+// gives it, otherwise that in walk order.
 struct PlacedDimension {
   SizedDimension dimension;
   double nominal = 0;

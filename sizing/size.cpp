@@ -16,15 +16,16 @@
 namespace reeve::sizing {
 namespace {
 
-constexpr double coarse = 1e-4;   // of the box: where a search from one of several starts ends
-constexpr double all_but = 1e-3;  // of the box: from a bound
-constexpr double no_loss = 1e-9;  // of the goal
+constexpr double coarse = 1e-4;   // tolerance of a search from one of several starts, as a share of
+                                  // the box
+constexpr double all_but = 1e-3;  // distance from a bound, as a share of the box
+constexpr double no_loss = 1e-9;  // as a share of the goal
 constexpr double hardly_a_loss = 1e-7;  // likewise
 
-// What one search has found.
+// Result of one search.
 struct Find {
   Minimum best;
-  std::optional<Minimum> nearest;  // of a target, at the nominal coefficients
+  std::optional<Minimum> nearest;  // best for a target, at the nominal coefficients
 };
 
 class SizingSearch {
@@ -35,7 +36,7 @@ class SizingSearch {
 
   bool stopped() const { return stop_ != nullptr && stop_->load(); }
 
-  // Of number 0 the whole box, of the others one start each.
+  // Search 0 covers the whole box; each other search has one start.
   Find run(int number) const {
     const SizingPoint start = number == 0 ? problem_.nearest_to_nominal() : start_of(number);
     const Minimum here{start, problem_.loss(start)};
@@ -116,7 +117,8 @@ class SizingSearch {
     return best;
   }
 
-  // As near to the hardware as it is as the direction leads, the box's sides alike.
+  // Moves along the direction to the point nearest to the nominal dimensions, in units of the box's
+  // sides.
   Minimum back_along(const FlatDirection& flat, const Minimum& best, double most) const {
     const SizingPoint nominal = problem_.nearest_to_nominal();
     double way = 0;
@@ -203,7 +205,7 @@ void finish(const SizingProblem& problem, const SizingOptions& options, const Si
     design.nearest_shares = design.after.shares;
   }
   design.hardware = problem.model(best.at).hardware;
-  // Where no motor is enough there is nothing to lose.
+  // If no motor force suffices, sensitivities are undefined.
   const bool is_enough = !search.stopped() && std::isfinite(design.after.goal);
   const auto sensitivity = is_enough ? sensitivities(problem, options.goal, best.at)
                                      : std::vector<Sensitivity>(best.at.size());

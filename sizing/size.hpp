@@ -28,13 +28,13 @@ struct SizedVariable {
   Sensitivity sensitivity;
 };
 
-// With the hardware as it is, or as it is sized.
+// Goal and objectives with the nominal dimensions or with the sized ones.
 struct SizedGoal {
-  double goal = 0;     // what was searched for, over the draws that are told
+  double goal = 0;     // goal of the search, over the draws of a result
   double nominal = 0;  // the same at the nominal coefficients
   ObjectiveValues values{};
-  std::optional<MotorForce> motor{};  // of a hand
-  std::vector<double> shares;         // of the fingers in all pull, mean over the grasps
+  std::optional<MotorForce> motor{};  // set for a hand
+  std::vector<double> shares;         // finger shares of all pull, mean over the grasps
   std::uint64_t unconverged = 0;
 };
 
@@ -42,14 +42,14 @@ struct SizedDesign {
   Routing routing;
   std::vector<SizedVariable> variables;  // none: it has none of the dimensions that are varied
   std::vector<FlatDirection> flat;
-  std::optional<JointTolerance> together;  // of variables; nothing if the search was stopped
+  std::optional<JointTolerance> together;  // for the variables; nothing if the search was stopped
   SizedGoal before;
   SizedGoal after;
-  // Of a target, the least that shares miss it by at the nominal coefficients, wherever that is in
-  // the bounds, and the shares there.
+  // For a target: the least miss of the shares within the bounds, at the nominal coefficients, and
+  // the shares there.
   std::optional<double> least_miss;
   std::vector<double> nearest_shares;
-  Hardware hardware;  // as it is sized, effects of the model not on it
+  Hardware hardware;  // sized hardware, without the effects of the model
 };
 
 // A target is met where shares can miss it by no more: a hundredth of all pull, as much as

@@ -10,11 +10,20 @@
 namespace reeve::sizing {
 namespace {
 
+bool means_in(const Network& network, const SizedDimension& named, const SizedDimension& placed) {
+  if (row(placed.quantity).of != QuantityOf::contact) return named == placed;
+  return named.quantity == placed.quantity &&
+         find_contact(network, named.contact()) == find_contact(network, placed.contact());
+}
+
 std::vector<PlacedDimension> covered(const Network& network, const Hardware& hardware,
                                      const DimensionName& name) {
   std::vector<PlacedDimension> found;
   for (const PlacedDimension& placed : dimensions_of(network, hardware, name.quantity)) {
-    if (name.named.empty() || name.has(placed.dimension)) found.push_back(placed);
+    const bool is_named = std::any_of(
+        name.named.begin(), name.named.end(),
+        [&](const SizedDimension& named) { return means_in(network, named, placed.dimension); });
+    if (name.named.empty() || is_named) found.push_back(placed);
   }
   return found;
 }
@@ -89,7 +98,7 @@ class Collector {
     return at;
   }
 
-  // What is equal to the same is equal: groups that overlap become one.
+  // Merges groups that overlap: equality is transitive.
   void add_joint(Joint joint) {
     std::vector<Joint> apart;
     for (Joint& other : groups_) {
@@ -143,14 +152,23 @@ class Collector {
   std::vector<Joint> groups_;
 };
 
-bool says_again(const DimensionName& a, const DimensionName& b) {
+// In some network.
+bool says_again(const DimensionName& a, const DimensionName& b,
+                const std::vector<Network>& networks) {
   if (a.quantity != b.quantity || a.named.empty() != b.named.empty()) return false;
   if (a.named.empty()) return true;
-  return std::any_of(a.named.begin(), a.named.end(),
-                     [&](const SizedDimension& dimension) { return b.has(dimension); });
+  const auto is_again = [&](const SizedDimension& one) {
+    if (b.has(one)) return true;
+    return std::any_of(b.named.begin(), b.named.end(), [&](const SizedDimension& other) {
+      return std::any_of(networks.begin(), networks.end(), [&](const Network& network) {
+        return find_contact(network, one.contact()) && means_in(network, one, other);
+      });
+    });
+  };
+  return std::any_of(a.named.begin(), a.named.end(), is_again);
 }
 
-// What could be varied, of the first routing.
+// Lists the dimensions of a routing that could be varied.
 std::string dimension_list(const Network& network, const Hardware& hardware) {
   constexpr std::size_t most = 12;
   std::vector<std::string> names;
@@ -181,10 +199,10 @@ bool is_somewhere(const DimensionName& name, const std::vector<Network>& network
   });
 }
 
-void require_once(const std::vector<VariedRange>& ranges) {
+void require_once(const std::vector<VariedRange>& ranges, const std::vector<Network>& networks) {
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
-      if (!says_again(ranges[i].name, ranges[k].name)) continue;
+      if (!says_again(ranges[i].name, ranges[k].name, networks)) continue;
       throw InputError({.where = ranges[i].text,
                         .what = fmt::format("what {} varies is varied again", ranges[k].text)});
     }
@@ -229,9 +247,9 @@ SizeSpace size_space(const Network& network, const Hardware& hardware,
 void require_ranges_to_match(const std::vector<Routing>& routings, const Hardware& hardware,
                              const std::vector<VariedRange>& ranges,
                              const std::vector<SameGroup>& same) {
-  require_once(ranges);
   std::vector<Network> networks;
   for (const Routing& routing : routings) networks.push_back(expand(routing));
+  require_once(ranges, networks);
   const std::string there = fmt::format(
       "dimensions of {}{}: {}", routings.size() > 1 ? "one of the routings, such as those of " : "",
       to_word(routings.front()), dimension_list(networks.front(), hardware));

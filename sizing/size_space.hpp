@@ -18,9 +18,9 @@ namespace reeve::sizing {
 struct SizeVariable {
   std::string name;  // "sheath_angle[1]", "tip_angle[1,2]"
   const char* unit = "";
-  std::vector<std::size_t> dimensions;  // in the space
+  std::vector<std::size_t> dimensions;  // indices into the space
   Interval bounds;
-  double nominal = 0;  // of several, the mean
+  double nominal = 0;  // mean of several dimensions
 };
 
 struct SizeSpace {
@@ -34,8 +34,7 @@ struct SizeSpace {
 SizeSpace size_space(const Network& network, const Hardware& hardware,
                      const std::vector<VariedRange>& ranges, const std::vector<SameGroup>& same);
 
-// Throws InputError of a range or a group that none of the routings has, and of one that says again
-// what another one says.
+// Throws InputError if no routing has a range or a group, or if one repeats another.
 void require_ranges_to_match(const std::vector<Routing>& routings, const Hardware& hardware,
                              const std::vector<VariedRange>& ranges,
                              const std::vector<SameGroup>& same);

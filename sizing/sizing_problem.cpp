@@ -15,7 +15,7 @@
 namespace reeve::sizing {
 namespace {
 
-// Worse than any goal, and still a number for who compares.
+// Worse than any goal, but finite, so that it can be compared.
 constexpr double worst_loss = 1e9;
 
 // Returns the corner of the box with the greatest friction that is drawn.
@@ -105,13 +105,14 @@ SizingProblem::SizingProblem(const Routing& routing, const SizingOptions& option
   require_upper_end();
 }
 
-// With the greatest friction that is drawn.
+// Returns the model with the greatest friction that is drawn.
 Model SizingProblem::upper_end(const Values& values) const {
   const Model model = model_of(values);
   return robust_ ? at_point(model, highest_) : model;
 }
 
-// Of contacts alone the hardware's faults do not tell; points without tensions are passed over.
+// Checks the hardware at the upper end. Faults of contacts alone are not found; points without
+// tensions are passed over.
 void SizingProblem::require_upper_end() const {
   SizingPoint highest;
   for (const Interval& interval : box_) highest.push_back(interval.high);
@@ -151,7 +152,7 @@ Model SizingProblem::model_of(const Values& values) const {
   Model model = nominal_model_;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const PlacedDimension& placed = space_.dimensions[i];
-    // What stays as the hardware has it is not written into it.
+    // Unchanged values are not written into the hardware.
     if (values[i] == placed.nominal) continue;
     set(model.hardware, placed.dimension, values[i]);
   }

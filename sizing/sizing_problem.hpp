@@ -36,9 +36,10 @@ class GoalEvaluator {
 
   // All throw OutOfRange where the model has no tensions.
   double value(const Model& model) const;
-  // Of a target, whose value is their norm: for each grasp and finger, share less target.
+  // Returns, for each grasp and finger, share less target. The value of a target is the norm of
+  // these.
   Eigen::VectorXd misses(const Model& model) const;
-  // Of the fingers, mean over the grasps.
+  // Returns the finger shares, mean over the grasps.
   std::vector<double> shares(const Model& model) const;
 
  private:
@@ -48,25 +49,25 @@ class GoalEvaluator {
   Network network_;
   Goal goal_;
   GraspSet grasps_;
-  Eigen::VectorXd weights_;  // of the grasps, adding up to 1
+  Eigen::VectorXd weights_;  // weights of the grasps; their sum is 1
   Score score_;
 };
 
 struct SizingOptions {
   Model nominal;
   UncertaintyRanges ranges;
-  GraspSet grasps;  // that are asked: of objectives and motor force
+  GraspSet grasps;  // grasps for objectives and motor force
   Score score = authors_score();
   Goal goal;
-  // The grasps of a target, if they are others than those.
+  // Grasps of a target, if they differ from `grasps`.
   std::optional<GraspSet> target_grasps = std::nullopt;
   std::vector<VariedRange> varied;
   std::vector<SameGroup> same;
   bool robust = true;
   std::size_t draws = 100;  // at least 1
-  std::uint64_t seed = 1;   // of draws and starts
-  int starts = 6;           // of local searches, the first at the hardware as it is
-  int evaluations = 1000;   // at most, of each search
+  std::uint64_t seed = 1;   // seed of draws and starts
+  int starts = 6;           // number of local searches; the first starts at the nominal dimensions
+  int evaluations = 1000;   // limit for each search
   int threads = 0;
 };
 
@@ -99,7 +100,7 @@ class SizingProblem {
   // Returns the goal over the draws of a result; without a point, that of the hardware as it is.
   double told_goal() const { return goal_of(nominal_, told_draws_); }
   double told_goal(const SizingPoint& point) const { return goal_of(values(point), told_draws_); }
-  // At the nominal coefficients.
+  // Return the goal at the nominal coefficients.
   double nominal_goal() const { return goal_of(nominal_, 0); }
   double nominal_goal(const SizingPoint& point) const { return goal_of(values(point), 0); }
 
@@ -135,11 +136,11 @@ class SizingProblem {
   GoalEvaluator evaluator_;
   bool higher_is_better_;
   bool robust_;
-  std::size_t draws_;       // that are searched with
-  std::size_t told_draws_;  // that the result is told over
+  std::size_t draws_;       // draws of the search
+  std::size_t told_draws_;  // draws of the result
   std::uint64_t seed_;
   UncertaintyRanges ranges_;
-  std::vector<double> highest_;  // of all that the uncertainty may draw
+  std::vector<double> highest_;  // upper end of all coefficients that are drawn
 };
 
 }  // namespace reeve::sizing

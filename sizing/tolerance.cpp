@@ -26,17 +26,17 @@ std::vector<double> places(const Interval& span, double own) {
 using Eigen::Index;
 constexpr int scan_steps = 40;
 constexpr int halvings = 40;
-constexpr double slope_step = 1e-4;      // of the width of the bounds
+constexpr double slope_step = 1e-4;      // share of the width of the bounds
 constexpr double curvature_step = 0.05;  // likewise
 constexpr double flat_move = 0.1;        // likewise
-constexpr double flat_share = 0.1;       // of the tolerated loss
-constexpr double near_bound = 1e-6;      // of the width
+constexpr double flat_share = 0.1;       // share of the tolerated loss
+constexpr double near_bound = 1e-6;      // share of the width of the bounds
 
 double width(const Interval& bounds) {
   return std::max(bounds.high - bounds.low, 1e-6 * std::max(1.0, std::abs(bounds.high)));
 }
 
-// How far it is to the first place where `lost` says so: scanned, then halved.
+// Returns the distance to the first place where `lost` is true: scanned, then bisected.
 std::optional<double> way_to(double reach, const std::function<bool(double)>& lost) {
   double inside = 0;
   for (int step = 1; step <= scan_steps; ++step) {
@@ -114,12 +114,12 @@ class Plain {
 
   Index size() const { return static_cast<Index>(free_.size()); }
 
-  // What a move of this length costs at the worse end.
+  // Returns the loss of a move of this length, at the worse end.
   FlatDirection along(const Eigen::VectorXd& direction) const {
     return {moves(direction), std::max({loss(direction) - here_, loss(-direction) - here_, 0.0})};
   }
 
-  // In units of the variables.
+  // Converts to units of the variables.
   std::vector<double> moves(const Eigen::VectorXd& direction) const {
     std::vector<double> moves(point_.size(), 0);
     for (Index k = 0; k < size(); ++k) {
@@ -139,7 +139,7 @@ class Plain {
     return problem_.loss(there);
   }
 
-  // Of the loss, or of its square: that of a miss, which has an edge where it is 0.
+  // Returns second differences of the loss, or of its square: a miss has an edge where it is 0.
   Eigen::MatrixXd curvature(bool squared) const {
     const auto loss = [&](const Eigen::VectorXd& direction) {
       const double there = this->loss(direction);

@@ -69,8 +69,8 @@ SQLite::Database database_in(const fs::path& file, int flags) {
   return {fs::absolute(file).string(), flags, patience_ms};
 }
 
-// What a process that was killed has left half written is undone by who opens it next, and takes
-// writing.
+// If a killed process left a half-written transaction, the next process to open the file rolls it
+// back. This requires write access.
 SQLite::Database readable_database(const fs::path& file) {
   for (const int flags : {SQLite::OPEN_READONLY, SQLite::OPEN_READWRITE}) {
     try {

@@ -13,20 +13,21 @@
 
 namespace reeve::store {
 
-// At most one process writes a store, from its first transaction to its last. SQLite's own lock is
-// let go between two of them, where who waits for it could step in.
-// Held as long as it lives; readers do not meet it. To be destroyed after the connection to the
-// file: when a file is closed, all that SQLite has locked of it in this process is let go.
+// Lock that lets one process write a store, from its first transaction to its last. SQLite's own
+// lock is released between two transactions, and a waiting process could then get it.
+//
+// Readers do not need the lock. Destroy it after the connection to the file: closing a file
+// releases all locks that SQLite holds on it in this process.
 class WriterLock {
  public:
-  // Makes the file where there is none. Throws InputError if another process has it. Where the file
-  // system knows no such lock, or nothing can be written, there is none.
+  // Creates the file if there is none. Throws InputError if another process has the lock. Takes no
+  // lock if the file system has none, or if nothing can be written.
   explicit WriterLock(const std::filesystem::path& file);
   WriterLock(const WriterLock&) = delete;
   WriterLock& operator=(const WriterLock&) = delete;
   ~WriterLock();
 
-  // Whether the name still leads to the file that was locked, or no lock is held.
+  // True if the name still leads to the locked file, or if no lock is held.
   bool is_on(const std::filesystem::path& file) const;
 
  private:
@@ -59,8 +60,8 @@ std::optional<SQLite::Database> open_store(const std::filesystem::path& file, Ac
 // The file, which is there and may be empty.
 SQLite::Database open_to_write(const std::filesystem::path& file);
 
-// Throws SQLite::Exception if the file has faults that only who writes it would meet, such as in
-// its list of free pages.
+// Throws SQLite::Exception if the file has faults that only writing would meet, such as in its list
+// of free pages.
 void require_sound(SQLite::Database& database);
 
 // SQLite's whole numbers have a sign. Throws InputError beyond 2^63.

@@ -7,7 +7,7 @@
 namespace reeve::store {
 namespace {
 
-constexpr std::size_t longest_shown = 60;  // of a value; a hardware is longer than anybody reads
+constexpr std::size_t longest_shown = 60;  // characters of a value; a hardware is longer
 
 std::string shown(const StoredSetting& there, const StoredSetting& asked) {
   if (there.value.size() > longest_shown || asked.value.size() > longest_shown) return there.key;

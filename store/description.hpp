@@ -1,4 +1,5 @@
-// Of which exploration a store is: what has to be the same for a run to go on in it.
+// Identity of a store's exploration: a run can continue in the store only if all of this is the
+// same.
 #pragma once
 
 #include <optional>
@@ -17,10 +18,10 @@ struct StoredSetting {
 };
 
 struct Description {
-  std::string exploration;              // its id, as in all its files
-  std::string version;                  // of the program
-  std::string arguments;                // of the command, a JSON list
-  std::vector<StoredSetting> settings;  // by key
+  std::string exploration;              // exploration id, as in all its files
+  std::string version;                  // program version
+  std::string arguments;                // arguments of the command, a JSON list
+  std::vector<StoredSetting> settings;  // sorted by key
   std::vector<std::string> known{};     // names of the known routings
   std::vector<std::string> limits{};    // the constraints
 };

@@ -74,13 +74,15 @@ std::uint64_t digest_of_shard(SQLite::Database& database, std::int64_t shard) {
   for (const char* table : {"about", "settings"}) {
     add_rows({database, fmt::format("SELECT key, value FROM {} ORDER BY key", table)}, digest);
   }
-  add_rows(rows_of_shard(database,
-                         "SELECT shard, shards, total, generated, evaluated, unconverged, "
-                         "seconds, designs_digest FROM shards WHERE shard = ?",
-                         shard),
-           digest);
+  add_rows(
+      rows_of_shard(
+          database,
+          "SELECT shard, shards, total, generated, evaluated, without_tensions, "
+          "example_without_tensions, unconverged, seconds, designs_digest FROM shards WHERE shard = ?",
+          shard),
+      digest);
   for (const char* table : shard_tables) {
-    // By number, or of the sample by place.
+    // Rows are sorted by number; those of the sample, by place.
     add_rows(
         rows_of_shard(database, fmt::format("SELECT * FROM {} WHERE shard = ? ORDER BY 2", table),
                       shard),

@@ -1,6 +1,5 @@
-// What tells whether rows are still those that were written: SQLite notices a torn page, and
-// neither a flipped bit within a value nor a row that somebody changed. (Fowler, Noll, Vo: FNV-1a,
-// 64 bit.)
+// Digest that shows if rows are still as written. SQLite notices a torn page, but neither a flipped
+// bit within a value nor a changed row. (Fowler, Noll, Vo: FNV-1a, 64 bit.)
 #pragma once
 
 #include <SQLiteCpp/Database.h>
@@ -13,7 +12,7 @@
 
 namespace reeve::store {
 
-// Of values in their order, each with its kind.
+// Digest of values in their order, each with its kind.
 class Digest {
  public:
   void add(std::int64_t number);
@@ -30,12 +29,12 @@ class Digest {
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-// Of the shard's rows in all tables but `designs`, of its counts, and of what was asked, so that
-// rows of another exploration are none of this.
+// Covers the shard's rows in all tables but `designs`, its counts, and the request. Rows of another
+// exploration thus do not match.
 std::uint64_t digest_of_shard(SQLite::Database& database, std::int64_t shard);
 
-// Of a row of `designs`, as it is written and as it is read. Those of many rows are added up, so
-// that their order, and which shard they are of, does not matter.
+// Digest of a row of `designs`, as written and as read. The digests of many rows are added up, so
+// that neither their order nor their shard matters.
 std::uint64_t digest_of(const EvaluatedDesign& design);
 std::uint64_t digest_of_row(SQLite::Statement& row);
 

@@ -18,7 +18,7 @@ namespace {
 constexpr const char* durable_writing =
     "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA journal_size_limit = 16777216";
 
-// What somebody wrote there by hand is said to be of this file.
+// An error in a word names this file.
 void require_routings(const ShardRecord& record, const std::filesystem::path& file) {
   try {
     for (const ArchivedWord& kept : record.archive) parse_routing(kept.word);
@@ -48,7 +48,7 @@ void require_same(SQLite::Database& database, const Description& asked, const Sh
 
 }  // namespace
 
-// Writes until the end. Who begins or ends to read may keep it waiting for a moment.
+// Writes until the end. A reader that begins or ends may delay it for a moment.
 struct ExplorationStore::Connection {
   Connection(const std::filesystem::path& file, std::unique_ptr<WriterLock> taken)
       : lock(std::move(taken)), database(open_to_write(file)) {
@@ -57,8 +57,8 @@ struct ExplorationStore::Connection {
   }
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
-  // What was not saved goes, and one plain file is left, which can be read where nothing can be
-  // written. Where that fails the next one who opens it finds the log.
+  // Drops unsaved data and leaves one plain file, which can be read without write access. If that
+  // fails, the next process to open it finds the log.
   ~Connection() {
     insert.reset();
     database.tryExec("ROLLBACK");
@@ -97,7 +97,7 @@ ExplorationStore::~ExplorationStore() = default;
 bool ExplorationStore::is_there_and_same(std::optional<Keep> keep) {
   std::optional<SQLite::Database> database = open_store(file_, Access::write);
   if (!database) return false;
-  // All that is read is of one moment.
+  // The transaction makes all reads see one state.
   database->exec("BEGIN");
   require_same(*database, asked_, shard_, file_);
   keep_ = read_keep(*database);
@@ -161,7 +161,7 @@ void ExplorationStore::save(ExplorationPart& so_far) {
   added_digest_ = 0;
 }
 
-// What is saved in a file without a name is lost at the end.
+// Throws if the file has lost its name: data saved in it would be lost at the end.
 void ExplorationStore::require_there() const {
   if (connection_->lock->is_on(file_)) return;
   throw InputError({.where = file_.string(),

@@ -29,10 +29,11 @@ class ExplorationStore {
   ExplorationStore& operator=(const ExplorationStore&) = delete;
 
   Keep keep() const { return keep_; }
-  // How far this shard came before; nothing if it has not begun.
+  // Returns the earlier state of this shard; nothing if it has not begun.
   std::optional<ShardRecord> record() const;
 
-  // In the file with the next save. Both throw InputError if the file cannot be written.
+  // The design is in the file after the next save. Both throw InputError if the file cannot be
+  // written.
   void add(const EvaluatedDesign& design);
   void save(ExplorationPart& so_far);
 
@@ -51,7 +52,7 @@ class ExplorationStore {
   Shard shard_;
   Keep keep_ = Keep::best;
   std::uint64_t added_since_save_ = 0;
-  std::uint64_t added_digest_ = 0;  // of these
+  std::uint64_t added_digest_ = 0;  // digest of these designs
   std::unique_ptr<Connection> connection_;
 };
 

@@ -236,9 +236,10 @@ void write_record(SQLite::Database& database, const Shard& shard, ExplorationPar
   };
   remove_from("shards");
   for (const char* table : shard_tables) remove_from(table);
-  RowWriter rows(database, "INSERT INTO shards VALUES (?, ?, ?, ?, ?, ?, ?, ?, 0)", index);
+  RowWriter rows(database, "INSERT INTO shards VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 0)", index);
   rows.row().add(whole_number(shard.count)).add(whole_number(part.total));
   rows.add(whole_number(part.generated)).add(whole_number(part.evaluated));
+  rows.add(whole_number(part.without_tensions.count)).add(part.without_tensions.example);
   rows.add(whole_number(part.unconverged)).add(part.seconds);
   rows.add(static_cast<std::int64_t>(designs_digest)).write();
   write_constraints(database, index, part, description);
@@ -263,15 +264,19 @@ void require_as_written(SQLite::Database& database, const std::filesystem::path&
 }
 
 std::optional<ShardRecord> read_record(SQLite::Database& database, std::uint64_t shard) {
-  SQLite::Statement counts = rows_of(database, "total, generated, evaluated, unconverged, seconds",
-                                     "shards", "shard", shard);
+  SQLite::Statement counts =
+      rows_of(database,
+              "total, generated, evaluated, without_tensions, example_without_tensions, "
+              "unconverged, seconds",
+              "shards", "shard", shard);
   if (!counts.executeStep()) return std::nullopt;
   ShardRecord record;
   record.total = count_in(counts, 0);
   record.generated = count_in(counts, 1);
   record.evaluated = count_in(counts, 2);
-  record.unconverged = count_in(counts, 3);
-  record.seconds = counts.getColumn(4).getDouble();
+  record.without_tensions = {count_in(counts, 3), counts.getColumn(4).getString()};
+  record.unconverged = count_in(counts, 5);
+  record.seconds = counts.getColumn(6).getDouble();
   read_counts(database, shard, record);
   read_designs(database, shard, record);
   return record;

@@ -1,6 +1,5 @@
-// Of which exploration a store is, what it keeps, and what a shard has kept, as rows. The routings
-// of a record are what counts: whoever reads them evaluates them again. The objectives beside them
-// are for people.
+// Rows of a store: its exploration, what it keeps, and the record of each shard. The routings of a
+// record count: a reader evaluates them again. The objectives beside them are for people.
 #pragma once
 
 #include <SQLiteCpp/Database.h>
@@ -23,8 +22,8 @@ void write_about(SQLite::Database& database, const Description& description, Kee
 Description read_description(SQLite::Database& database);
 Keep read_keep(SQLite::Database& database);
 
-// In place of what was there of the shard. `designs_digest` is that of the rows of `designs` that
-// came since the last time.
+// Replaces the rows of the shard. `designs_digest` is the digest of the rows of `designs` added
+// since the last time.
 void write_record(SQLite::Database& database, const Shard& shard, ExplorationPart& part,
                   const Description& description, std::uint64_t designs_digest);
 
@@ -32,10 +31,10 @@ void write_record(SQLite::Database& database, const Shard& shard, ExplorationPar
 // ExplorationStore::add() left, or belong to a shard that has not begun.
 void require_as_written(SQLite::Database& database, const std::filesystem::path& file);
 
-// Nothing if the shard has not begun.
+// Returns nothing if the shard has not begun.
 std::optional<ShardRecord> read_record(SQLite::Database& database, std::uint64_t shard);
 
-// Those that have begun, by number.
+// Returns the shards that have begun, by number.
 std::vector<Shard> stored_shards(SQLite::Database& database);
 
 }  // namespace reeve::store

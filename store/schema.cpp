@@ -12,7 +12,8 @@ constexpr const char* tables = R"(
 CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE settings (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE shards (shard INTEGER PRIMARY KEY, shards INTEGER NOT NULL, total INTEGER NOT NULL,
-  generated INTEGER NOT NULL, evaluated INTEGER NOT NULL, unconverged INTEGER NOT NULL,
+  generated INTEGER NOT NULL, evaluated INTEGER NOT NULL,
+  without_tensions INTEGER NOT NULL, example_without_tensions TEXT NOT NULL, unconverged INTEGER NOT NULL,
   seconds REAL NOT NULL, designs_digest INTEGER NOT NULL, digest INTEGER NOT NULL);
 CREATE TABLE constraints (shard INTEGER NOT NULL, number INTEGER NOT NULL, text TEXT NOT NULL,
   failures INTEGER NOT NULL, met INTEGER NOT NULL, nearest_below REAL, nearest_above REAL,

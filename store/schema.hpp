@@ -12,7 +12,7 @@
 namespace reeve::store {
 
 inline constexpr int application_id = 0x72656576;  // "reev"
-inline constexpr int schema_version = 4;
+inline constexpr int schema_version = 5;
 
 // The tables of which each row belongs to a shard, by its first column.
 inline constexpr std::array shard_tables{"constraints", "known", "archive", "ladder", "sample"};

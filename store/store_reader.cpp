@@ -22,7 +22,7 @@ StoreReader::StoreReader(std::filesystem::path file)
           std::make_unique<Connection>(Connection{open_store(file_, Access::read).value()})) {
   in_database(file_, [&] {
     SQLite::Database& database = connection_->database;
-    // All that is read is of one moment.
+    // The transaction makes all reads see one state.
     database.exec("BEGIN");
     description_ = read_description(database);
     keep_ = read_keep(database);

@@ -29,8 +29,8 @@ class StoreReader {
   const std::filesystem::path& file() const { return file_; }
   const Description& description() const { return description_; }
   Keep keep() const { return keep_; }
-  // Those that have begun, at least one. These throw InputError that names the file if it is
-  // damaged, or explore has not saved in it yet.
+  // Returns the shards that have begun, at least one. These functions throw InputError that names
+  // the file if it is damaged, or explore has not saved in it yet.
   std::vector<StoredShard> shards() const;
   // Every design that was kept with its objectives, in the order of the places.
   void for_each_design(const std::function<void(const EvaluatedDesign&)>& visit) const;

@@ -15,7 +15,7 @@
 
 namespace reeve::studies {
 
-// What a publication derives from its readings and from its model, derived again:
+// Derives again every number that a publication derives from its readings and from its model:
 //
 //   sums of a routing's strands      agree to what the readings can be read to
 //   indicators and their means       of the strands as read, and of motor-side tensions that follow

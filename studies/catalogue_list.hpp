@@ -22,7 +22,7 @@ struct ListedMechanism {
   std::string title;
   std::string source;
   std::size_t printed = 0;  // numbers that are recomputed
-  std::size_t agree = 0;    // of these
+  std::size_t agree = 0;    // numbers that agree
 };
 
 // Lists the mechanisms of one family, or of one number of fingers, if they are given: paper first,

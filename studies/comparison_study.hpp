@@ -13,7 +13,7 @@ namespace reeve::studies {
 
 struct CompareReport {
   MeasuredData data;
-  std::vector<std::string> names;  // of data.routings; "" where there is none
+  std::vector<std::string> names;  // names of data.routings; "" if a routing has none
   Model model;
   Comparison comparison;
 };

@@ -119,14 +119,14 @@ std::optional<DiagnosisReport> diagnosis_study(DiagnosisRequest request,
   return report;
 }
 
-std::optional<ShownRouting> next_routing(const DiagnosisReport& report,
-                                         const Catalogue& catalogue) {
+std::optional<SolvedRouting> next_routing(const DiagnosisReport& report,
+                                          const Catalogue& catalogue) {
   if (!report.result.next_measurement) return std::nullopt;
   const Measurement& at = report.result.next_measurement->measurement;
   Model model = report.result.model;
   model.conditions = at.conditions;
   try {
-    return shown_routing(at.routing.routing, model, {{at.grasp, 1}}, at.direction, catalogue);
+    return solved_routing(at.routing.routing, model, {{at.grasp, 1}}, at.direction, catalogue);
   } catch (const OutOfRange&) {
     return std::nullopt;
   }

@@ -21,9 +21,9 @@ struct DiagnosisRequest {
   MeasuredData data;
   Hardware hardware;
   DiagnosisSettings settings;
-  // Whether the next measurement may be of a generated routing: of one tendon, with the data's
-  // numbers of fingers, of all known parts, at most 200. Otherwise of the catalogue's and the
-  // data's.
+  // True if the next measurement may be of a generated routing: of one tendon, with the data's
+  // numbers of fingers, of all known parts, at most 200. Otherwise it is one of the catalogue's or
+  // the data's.
   bool with_generated = false;
   int threads = 0;
   std::function<bool(const char* stage)> stage;  // as in DiagnoseOptions, like the next
@@ -45,16 +45,16 @@ struct DiagnosisReport {
   DiagnosisSettings settings;
   bool with_generated = false;
   DiagnosisResult result;
-  std::map<std::string, std::string> names;  // of the catalogue, by word
+  std::map<std::string, std::string> names;  // names in the catalogue, by word
   // Only where a cause extends the model, to one that has tensions in all these routings, and the
   // readings are of a hand.
   std::optional<CatalogueRanking> ranking;
-  std::vector<PublishedModel> published;  // of the data's routings in their grasps
+  std::vector<PublishedModel> published;  // models of the data's routings in their grasps
   double seconds = 0;
 };
 
-// Readings without a choice of grasps: of routings with one finger at most, which nothing holds.
-// What they say is about their parts, not about a hand.
+// True if the readings leave no choice of grasps: all are of routings with one finger at most,
+// which nothing holds. They tell of parts, not of a hand.
 bool is_bench(const MeasuredData& data);
 
 // Nothing if it was stopped. Throws InputError if no row can be compared.
@@ -63,6 +63,7 @@ std::optional<DiagnosisReport> diagnosis_study(DiagnosisRequest request,
 
 // The routing of the next measurement, by the extended model in the measurement's grasp and
 // conditions; nothing if there is no such measurement, or the model has no tensions in it.
-std::optional<ShownRouting> next_routing(const DiagnosisReport& report, const Catalogue& catalogue);
+std::optional<SolvedRouting> next_routing(const DiagnosisReport& report,
+                                          const Catalogue& catalogue);
 
 }  // namespace reeve::studies

@@ -23,8 +23,8 @@ std::vector<std::string> names_of(const std::vector<Routing>& routings,
   return names;
 }
 
-// Of the known routings that are not among the listed designs; parallel to them, empty for the
-// others.
+// Returns the bands of the known routings that are not among the listed designs. The list is
+// parallel to the known routings, empty for the others.
 std::optional<std::vector<Bands>> bands_of_unlisted(const ExploreResult& result,
                                                     const ExploreOptions& options,
                                                     const UncertaintyOptions& uncertainty,
@@ -73,12 +73,12 @@ ExploreReport with_distributions(const ExploreOptions& options, ExploreResult re
 }
 
 // The drawing shows a smallest grasp that jams: with one held finger fewer it would not jam.
-std::optional<ShownRouting> jammed_first(const ExploreReport& report, const Catalogue& catalogue) {
+std::optional<SolvedRouting> jammed_first(const ExploreReport& report, const Catalogue& catalogue) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
   if (listed.empty() || listed.front().smallest_jams.empty()) return std::nullopt;
   const GraspSet grasp{{listed.front().smallest_jams.front(), 1}};
-  return shown_routing(listed.front().routing, report.options.model, grasp, Direction::pull,
-                       catalogue);
+  return solved_routing(listed.front().routing, report.options.model, grasp, Direction::pull,
+                        catalogue);
 }
 
 }  // namespace
@@ -99,11 +99,13 @@ Checkpoint checkpoint_in(ExplorationStore& store, std::chrono::seconds every) {
   return checkpoint;
 }
 
-std::vector<Routing> known_routings(const GeneratorOptions& options, const Catalogue& catalogue) {
+std::vector<Routing> known_routings(const ExploreOptions& options, const Catalogue& catalogue) {
   std::vector<Routing> routings;
+  DesignEvaluator evaluator(options.model, options.grasps);
   for (const CatalogueEntry& entry : catalogue.entries) {
-    if (finger_count(entry.routing) != options.fingers) continue;
-    routings.push_back(canonical(entry.routing, options.identity));
+    if (finger_count(entry.routing) != options.generator.fingers) continue;
+    const Routing routing = canonical(entry.routing, options.generator.identity);
+    if (evaluator.has_tensions(routing)) routings.push_back(routing);
   }
   return routings;
 }

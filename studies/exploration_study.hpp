@@ -27,11 +27,11 @@ struct ExploreReport {
   std::vector<std::string> reference_names;  // parallel to result.references
   ListedLadder ladder;
   std::optional<RobustFirst> robust_first = std::nullopt;
-  std::optional<MotorForce> motor{};     // of the first, with a hand
+  std::optional<MotorForce> motor{};     // motor force of the first design, with a hand
   std::vector<double> target_shares{};   // empty: no target
-  std::optional<TargetReport> target{};  // only where one was asked for
+  std::optional<TargetReport> target{};  // only if one was asked for
   // The first design in the smallest grasp in which it jams, if there is one.
-  std::optional<ShownRouting> jammed_first = std::nullopt;
+  std::optional<SolvedRouting> jammed_first = std::nullopt;
   // Only where uncertainty was asked for.
   std::optional<UncertaintyOptions> uncertainty;
   bool draws_stopped = false;               // before there were distributions
@@ -47,12 +47,12 @@ const std::vector<ListedDesign>& listed_designs(const ExploreReport& report);
 std::size_t distinct_on_front(const ExploreReport& report);
 
 // The catalogue's routings with as many fingers as the options ask for, as the generator writes
-// them.
-std::vector<Routing> known_routings(const GeneratorOptions& options, const Catalogue& catalogue);
+// them. Left out are those without tensions in one of the grasps.
+std::vector<Routing> known_routings(const ExploreOptions& options, const Catalogue& catalogue);
 
 // With `uncertainty` also the spread of ranks and objectives, of the longer of top and front, and
-// of the objectives of known routings beyond. What was stopped says so, and holds what there was.
-// `search` as of explore.
+// of the objectives of known routings beyond. A stopped report says so, and holds the results up to
+// then. `search` as of explore.
 ExploreReport exploration_study(const ExploreOptions& options,
                                 const std::optional<UncertaintyOptions>& uncertainty,
                                 const Catalogue& catalogue,
@@ -66,23 +66,23 @@ ExploreReport merged_study(const ExploreOptions& options,
                            const std::vector<ShardRecord>& shards, const Catalogue& catalogue,
                            const StudySupervision& supervision = {});
 
-// What is asked, before there is an answer.
+// Returns the report of the request, without results.
 ExploreReport planned_report(const ExploreOptions& options,
                              const std::optional<UncertaintyOptions>& uncertainty,
                              const Catalogue& catalogue);
 
-// What was drawn is parallel to the longer of top and front, or empty.
+// The drawn bands are parallel to the longer of top and front, or empty.
 ExploreReport explore_report(const ExploreOptions& options, ExploreResult result,
                              const DrawnDesigns& drawn, const Catalogue& catalogue);
 
 // More lines than these a figure cannot show.
 inline constexpr std::size_t most_swept = 8;
 
-// The first, the affordable one, the rungs of the ladder, and the front: what one chooses from. Of
-// designs that are alike the first alone.
+// The first design, the affordable one, the rungs of the ladder, and the front: the designs to
+// choose from. Among designs that are alike, only the first is swept.
 std::vector<ListedDesign> designs_to_sweep(const ExploreReport& report);
 
-// Of these designs; no sweep if it was stopped now or before.
+// Sweeps these designs; adds no sweep if it was stopped now or before.
 void add_sweep(ExploreReport& report, const SweepOptions& options,
                const StudySupervision& supervision);
 

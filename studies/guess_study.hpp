@@ -26,7 +26,9 @@ struct GuessReport {
   bool lacks_motion = false;
   bool lacks_motor_tension = false;
 
-  bool can_be_imported() const { return series && faults.empty() && !lacks_routing; }
+  // True if no more than a routing is missing.
+  bool can_be_read() const { return series && faults.empty(); }
+  bool can_be_imported() const { return can_be_read() && !lacks_routing; }
 };
 
 // Throws InputError if the file cannot be read at all.

@@ -23,15 +23,15 @@ std::size_t line_of_label(const LoggedSeries& series, std::size_t label) {
   return series.lines[static_cast<std::size_t>(first - series.label.begin())];
 }
 
-// What is wrong with the labels of one stretch of the log.
+// Checks the labels of one stretch of the log.
 class LabelCheck {
  public:
   // Both must outlive it.
   LabelCheck(const LoggedSeries& series, std::size_t label, FaultList& faults)
       : series_(series), label_(label), line_(line_of_label(series, label)), faults_(faults) {}
 
-  // What the action gives. Of a cell its input error goes into the list of faults; what was given
-  // is no matter of one stretch.
+  // Returns the result of the action. An input error of a logged cell goes into the list of faults;
+  // one of a given label is thrown, since it holds for every stretch.
   template <typename Action>
   auto at(const std::string& column, bool is_logged, const std::string& value, Action action)
       -> std::optional<decltype(action())> {

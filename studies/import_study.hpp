@@ -11,7 +11,7 @@
 
 namespace reeve::studies {
 
-// What holds for the whole log, each only where the log has no such column.
+// Labels of the whole log, each for a column that the log lacks.
 struct ImportLabels {
   std::optional<std::string> run;
   std::optional<std::string> routing;

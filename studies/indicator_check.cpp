@@ -19,7 +19,7 @@
 namespace reeve::studies {
 namespace {
 
-// Of a folded normal distribution about 0: mean over standard deviation.
+// Mean over standard deviation of a folded normal distribution about 0.
 const double greatest_gap = std::sqrt(2 / (std::numbers::pi - 2));
 constexpr std::size_t concave_indicators = 3;  // the first three
 constexpr std::size_t transmission = 4;

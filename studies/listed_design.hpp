@@ -48,8 +48,8 @@ struct ListedLadder {
   std::optional<BlockChoice<ListedDesign>> choice;  // only where the ladder has one
   // The choice with floating blocks, with bars in place of them where they can be.
   std::optional<ListedDesign> with_bars;
-  std::string cost_unit;  // of the prices; "" if there are none, or nobody says
-  // Of the listed designs that jam in no grasp the one that is first among these.
+  std::string cost_unit;  // unit of the prices; "" if there are none, or none is given
+  // The first of the listed designs that jam in no grasp.
   std::optional<ListedDesign> never_jams = std::nullopt;
 };
 
@@ -59,10 +59,10 @@ std::vector<ListedDesign> list_designs(std::vector<RankedDesign> ranked,
                                        std::vector<Routing> routings, const DrawnDesigns& drawn,
                                        const Model& model, const Catalogue& catalogue);
 
-// Of a ranking that begins with these designs: search/rank/equivalent.hpp.
+// Marks the places in a ranking that begins with these designs (search/rank/equivalent.hpp).
 void mark_places(std::vector<ListedDesign>& designs, const std::vector<std::size_t>& places);
 
-// Likewise: search/rank/equivalent.hpp.
+// Marks the equivalent designs (search/rank/equivalent.hpp).
 void mark_equivalent(std::vector<ListedDesign>& designs, const std::vector<std::size_t>& firsts);
 
 // Two answers where numbers are uncertain: the design that is first at the nominal coefficients,

@@ -107,7 +107,7 @@ std::vector<double> shares_of(std::vector<double> tensions) {
   return tensions;
 }
 
-// Of a coefficient, the greatest first, and of one figure or of all tables.
+// A coefficient, the greatest first, and one figure or all tables.
 using ModelKey = std::pair<double, std::string>;
 
 ModelKey key_of(const PrintedList& list) { return {-list.hardware.tube.mu, place_of(list)}; }
@@ -146,7 +146,7 @@ std::string name_of(const PublishedModel& model, const ModelKey& key, const Cata
 
 std::vector<PublishedModel> published_models(const Catalogue& catalogue, const MeasuredData& data,
                                              const DiagnosisResult& result) {
-  if (data.simulated) return {};  // of which nobody has published anything
+  if (data.simulated) return {};  // simulated data have no publication
   std::map<ModelKey, PublishedModel> models;
   const std::vector<ShareError>& groups = result.share_errors.groups;
   for (std::size_t g = 0; g < groups.size(); ++g) {

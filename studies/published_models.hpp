@@ -1,6 +1,6 @@
-// What publications of the catalogue draw of their model, beside readings of the same routings in
-// the same grasps: how far the lines as printed are off, how far the equations with the same
-// coefficient, and where the two are not the same.
+// Published models of the catalogue beside readings of the same routings in the same grasps: errors
+// of the lines as printed and of the equations with the same coefficient, and the differences
+// between lines and equations.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ namespace reeve::studies {
 struct PublishedLoss {
   std::size_t loss = 0;   // in DiagnosisResult::losses
   double printed = 0;     // ln of the ratio of the printed shares
-  double equations = 0;   // of what the equations give with the lines' coefficient
+  double equations = 0;   // ln of the ratio by the equations with the lines' coefficient
   int sheaths = 0;        // losses e^{-phi_s} that the equations have there,
   int sheaths_drawn = 0;  // and the lines, by the fault that is listed
 };
@@ -31,15 +31,15 @@ struct PublishedLine {
 
 struct PublishedModel {
   std::string name;  // "Table I to Table VII", "Table I, Table IV", "Fig. 9 (b)"
-  double mu = 0;     // of tubes and sheaths
+  double mu = 0;     // μ of tubes and sheaths
   std::vector<PublishedLine> lines;
   double error = 0;  // means over the lines
   double equations = 0;
-  std::vector<PublishedLoss> losses;  // those that lines and equations have otherwise
+  std::vector<PublishedLoss> losses;  // losses in which lines and equations differ
 };
 
-// By coefficient, the greatest first. Empty if no group of the diagnosis' share errors is
-// published, or the data are simulated.
+// Returns the models by coefficient, the greatest first. Empty if no group of the diagnosis' share
+// errors is published, or the data are simulated.
 std::vector<PublishedModel> published_models(const Catalogue& catalogue, const MeasuredData& data,
                                              const DiagnosisResult& result);
 

@@ -24,7 +24,7 @@
 
 namespace reeve::studies {
 
-// Of coefficients, for the spread of the ranks.
+// Draws of coefficients for the spread of the ranks.
 struct Draws {
   std::size_t count = 1000;
   std::uint64_t seed = 1;
@@ -46,7 +46,7 @@ struct RankRequest {
   std::optional<CoefficientRange> sweep = std::nullopt;
 };
 
-// What the page shows besides the ranking.
+// Details that the page shows besides the ranking.
 struct RankDetails {
   std::vector<BestDesigns> best;
   std::vector<ShownRouting> routings;  // in the order of the designs, in the grasps of the ranking
@@ -63,13 +63,13 @@ struct RankReport {
   // Only where they were asked for.
   std::optional<UncertaintyOptions> uncertainty;
   std::optional<std::vector<Margin>> margins;
-  UncertaintyRanges ranges;  // of either
+  UncertaintyRanges ranges;  // ranges of either
   std::optional<RankDetails> details;
   ListedLadder ladder;
   std::optional<RobustFirst> robust_first;
-  std::optional<MotorForce> motor{};  // of the first, with a hand
+  std::optional<MotorForce> motor{};  // motor force of the first design, with a hand
   std::optional<PartPrices> prices;
-  std::optional<SweptDesigns> sweep = std::nullopt;  // only where it was asked for
+  std::optional<SweptDesigns> sweep = std::nullopt;  // only if it was asked for
 };
 
 // How its designs are judged and drawn.

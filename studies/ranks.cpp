@@ -23,16 +23,16 @@
 namespace reeve::studies {
 namespace {
 
-// What the processes of one search tell each other.
+// Messages between the processes of one search.
 enum class RankWord : char {
-  // Of a follower.
+  // Messages of a follower.
   ready = 'h',      // text: the id of the exploration that it has read
-  brought = 'r',    // places.begin: of the piece; text: its record
-  bad_input = 'i',  // text: of an InputError
-  no_answer = 'o',  // text: of an OutOfRange
-  failed = 'f',     // text: of another failure
+  brought = 'r',    // places.begin: first place of the piece; text: its record
+  bad_input = 'i',  // text: the message of an InputError
+  no_answer = 'o',  // text: the message of an OutOfRange
+  failed = 'f',     // text: the message of another failure
   gone = 'b',
-  // Of the leader.
+  // Messages of the leader.
   piece = 'p',  // places
   over = 'e',
 };
@@ -89,9 +89,9 @@ class SharedSearch {
   const Checkpoint& checkpoint_;
   PieceSearch explore_here_;
   RecordAbsorbing absorb_;
-  ExplorationPart whole_;     // of the places before `together_`
-  ShardRange left_;           // that nobody has in hand
-  std::uint64_t begin_ = 0;   // of the shard
+  ExplorationPart whole_;     // part of the places before `together_`
+  ShardRange left_;           // places that no process has in hand
+  std::uint64_t begin_ = 0;   // first place of the shard
   std::uint64_t before_ = 0;  // routings, by an earlier run
   double seconds_before_ = 0;
   std::uint64_t together_ = 0;
@@ -101,8 +101,8 @@ class SharedSearch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// Of a piece: short enough for a kill to cost little, and long enough for what each piece costs
-// besides (some hundredths of a second) not to matter where there is much to do.
+// Duration of a piece. It is short enough for a kill to cost little. It is long enough for the
+// overhead of each piece (some hundredths of a second) not to matter in a long search.
 constexpr double least_seconds = 0.5;
 constexpr double most_seconds = 5;
 constexpr double part_of_elapsed = 0.05;
@@ -141,7 +141,7 @@ ExplorationPart SharedSearch::run() {
     put_together();
     save_if_due();
   }
-  // Who has read something else should be heard of, however fast the others are.
+  // A process that has read another exploration must report it, however fast the others are.
   while ((together_ < left_.end || ready_ < processes_.size()) && !is_stopped()) {
     take_messages();
     put_together();
@@ -293,7 +293,7 @@ Searcher Leader::search(const std::string& exploration, const RecordText& text) 
                                    const Checkpoint& checkpoint) {
     ExplorationPart part =
         SharedSearch(processes_, exploration, text, options, supervision, checkpoint).run();
-    // What is left to do the leader does alone.
+    // The leader does the rest alone.
     send_home();
     return part;
   };

@@ -44,7 +44,8 @@ class Leader {
   Leader(const Leader&) = delete;
   Leader& operator=(const Leader&) = delete;
 
-  // Of the exploration with this id; it is an error if others have read another one. Once.
+  // Returns the search of the exploration with this id. It is an error if other processes have read
+  // another one. May be called once.
   Searcher search(const std::string& exploration, const RecordText& text);
 
  private:

@@ -40,7 +40,7 @@ ShownHandGrasp shown_grasp(const Hand& hand, const Network& network, const Tensi
   return shown;
 }
 
-// What the grasp asks most of, and which finger and joint it is.
+// Adds the greatest demand of the grasps, with its finger and joint.
 void add_greatest_force(const Hand& hand, const std::vector<ShownHandGrasp>& grasps,
                         MotorDemand& demand) {
   FingerPull pull;
@@ -97,6 +97,7 @@ class HandStudy {
       : hand_(hand),
         ideal_hand_(without_guides(hand)),
         network_(network),
+        word_(word),
         model_(model),
         plain_(mechanics(network, possible_hardware(model))),
         frictionless_(without_friction(plain_)),
@@ -155,9 +156,16 @@ class HandStudy {
     Kinematics kinematics;
     Motion motion;
     double to_fingers = 0;  // J per N of motor tension
+    double before_mm = 0;
     const HandClosing closing = close_hand(
         hand_, network_, plain_, kinematics, motion,
         [&](Grasp at_end, double travel_mm, const std::vector<double>& closings) {
+          // How tendons behind slack share the carriage changes on the way: as in its middle.
+          Mechanics there = plain_;
+          there.travel_mm = before_mm + travel_mm / 2;
+          before_mm += travel_mm;
+          if (*std::max_element(closings.begin(), closings.end()) == 0) return;
+          solver_.set_routing(word_, network_, there);
           const FingerPullArray pulls = finger_pulls_of(network_, pulled(at_end));
           for (std::size_t f = 0; f < closings.size(); ++f) {
             const HandFinger& finger = hand_.finger(static_cast<int>(f) + 1);
@@ -181,6 +189,7 @@ class HandStudy {
   const Hand& hand_;
   Hand ideal_hand_;  // without friction
   const Network& network_;
+  const std::string& word_;
   const Model& model_;
   Mechanics plain_;
   Mechanics frictionless_;

@@ -29,7 +29,7 @@
 
 namespace reeve::studies {
 
-// What a motor of a given force and stroke does with a hand.
+// Capability of a motor of a given force and stroke with a hand.
 //
 //   share of the wanted   least F_f / F_w,f over fingers f and grasps, F_f the fingertip force at
 //   the
@@ -39,7 +39,7 @@ namespace reeve::studies {
 //                         going no further than the motor's stroke
 struct ForceReach {
   double motor_N = 0;
-  // Of the wanted forces; infinite if no finger wants any.
+  // Share of the wanted forces; infinite if no finger wants any.
   double share = 0;
   // The finger that has least of it, of several the one that asks for most motor force; 0: none
   // wants any.
@@ -47,11 +47,11 @@ struct ForceReach {
   Grasp grasp{};  // and the grasp in which it has
   double asks_motor_N = 0;
   std::size_t joint = 0;  // its joint that gives first then, from 0
-  double force_N = 0;     // what it presses with
+  double force_N = 0;     // its fingertip force
 };
 
 struct StrokeReach {
-  double stroke_mm = 0;  // what is used of it
+  double stroke_mm = 0;  // used part of the stroke
   double closure = 0;
   std::vector<int> last;       // the fingers that close least
   std::vector<double> closed;  // share of each finger's range
@@ -67,10 +67,10 @@ StrokeReach stroke_reach(const Hand& hand, const Network& network, const Mechani
 
 struct ShownFingerForce {
   int finger = 0;
-  FingerPull pull_per_motor{};         // of its strands at the palm, N/N
+  FingerPull pull_per_motor{};         // pull of its strands at the palm, N/N
   double per_motor_N = 0;              // at the fingertip, N/N, springs aside
-  double asks_motor_N = 0;             // infinite where its strands are slack
-  double force_N = 0;                  // at the hand's motor force; 0 where that is infinite
+  double asks_motor_N = 0;             // infinite if its strands are slack
+  double force_N = 0;                  // at the hand's motor force; 0 if that is infinite
   std::size_t gives = 0;               // the joint that gives first then, from 0
   std::optional<double> at_limit_N{};  // at the force that the motor can pull with
 };
@@ -128,10 +128,10 @@ struct ShownHand {
   // The motor force with its quantile over draws, where somebody asked for it; its nominal one is
   // that of the demand.
   std::optional<MotorForce> drawn{};
-  // Of the motor's own force and stroke, where they are given (motor_reach.hpp).
+  // Reach with the motor's own force and stroke, if these are given (motor_reach.hpp).
   std::optional<ForceReach> force_reach{};
   std::optional<StrokeReach> stroke_reach{};
-  std::vector<ShownClosing> closings{};  // of fingers with a guide or an object
+  std::vector<ShownClosing> closings{};  // closing of the fingers with a guide or an object
 };
 
 // Nothing if the hardware has no hand or does not know all fingers. Pulling, whatever is shown.

@@ -8,10 +8,9 @@
 
 namespace reeve::studies {
 
-ShownRouting shown_routing(const Routing& routing, const Model& model, const GraspSet& grasps,
-                           Direction direction, const Catalogue& catalogue,
-                           const std::optional<PartPrices>& prices) {
-  ShownRouting report;
+SolvedRouting solved_routing(const Routing& routing, const Model& model, const GraspSet& grasps,
+                             Direction direction, const Catalogue& catalogue) {
+  SolvedRouting report;
   report.model = model;
   report.word = to_word(routing);
   report.canonical = to_word(canonical(routing, FingerIdentity::identical));
@@ -25,6 +24,13 @@ ShownRouting shown_routing(const Routing& routing, const Model& model, const Gra
     if (!solver.converged()) ++report.unconverged;
     report.grasps.push_back({weighted.grasp, state, performance(report.network, state, direction)});
   }
+  return report;
+}
+
+ShownRouting shown_routing(const Routing& routing, const Model& model, const GraspSet& grasps,
+                           Direction direction, const Catalogue& catalogue,
+                           const std::optional<PartPrices>& prices) {
+  ShownRouting report{solved_routing(routing, model, grasps, direction, catalogue)};
   report.prices = prices;
   DesignEvaluator evaluator(model, grasps, authors_score(), prices);
   report.values = evaluator.evaluate(routing);

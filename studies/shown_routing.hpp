@@ -25,7 +25,8 @@ struct ShownGrasp {
   Performance performance;
 };
 
-struct ShownRouting {
+// A routing with its tensions.
+struct SolvedRouting {
   std::string word;
   std::string canonical;
   std::string name;  // "" if it has none
@@ -35,11 +36,18 @@ struct ShownRouting {
   std::uint64_t unconverged = 0;  // tension solves
   Network network;
   std::vector<ShownGrasp> grasps;
+};
+
+// A routing with its tensions and objectives.
+struct ShownRouting : SolvedRouting {
   ObjectiveValues values{};            // over these grasps
-  std::vector<Grasp> smallest_jams{};  // of all grasps (core/tension/jamming.hpp)
-  std::optional<ShownHand> hand;
+  std::vector<Grasp> smallest_jams{};  // smallest jams over all grasps (core/tension/jamming.hpp)
+  std::optional<ShownHand> hand{};
   std::optional<PartPrices> prices{};  // without them the cost among the values is infinite
 };
+
+SolvedRouting solved_routing(const Routing& routing, const Model& model, const GraspSet& grasps,
+                             Direction direction, const Catalogue& catalogue);
 
 ShownRouting shown_routing(const Routing& routing, const Model& model, const GraspSet& grasps,
                            Direction direction, const Catalogue& catalogue,

@@ -21,7 +21,7 @@ struct SimulationReport {
   Model model;
   AddedNoise noise;
   std::uint64_t seed = 1;
-  std::string command;  // that makes it again
+  std::string command;  // the command that makes it again
   Simulation simulation;
 };
 

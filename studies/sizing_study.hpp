@@ -49,11 +49,11 @@ struct SizingReport {
   std::optional<SizingDetails> details{};
 };
 
-// Of a goal of any other kind it is met always.
+// True if the best design meets the target, or if the goal is of another kind.
 bool best_meets_target(const SizingReport& report);
 
-// What will be sized, with the dimensions as they are, in the order given; partial, as nothing has
-// been searched for.
+// Returns the report before the search: the designs in the order given, with the dimensions as they
+// are; partial.
 SizingReport planned_sizing(const std::vector<Routing>& routings, const SizingOptions& options,
                             const Catalogue& catalogue);
 

@@ -25,7 +25,7 @@ bool is_same_order(const ExploreOptions& a, const ExploreOptions& b) {
   return !decides_by_score(a.order) || is_same_score(a.score, b.score);
 }
 
-// Whether `a` has this constraint of `b`: a bound on another score is another one.
+// True if `a` has this constraint of `b`; a bound on another score is another constraint.
 bool has_too(const ExploreOptions& a, const Constraint& constraint, const ExploreOptions& b) {
   if (constraint.objective == Objective::score && !is_same_score(a.score, b.score)) return false;
   return std::any_of(a.constraints.begin(), a.constraints.end(),
@@ -39,7 +39,7 @@ bool asks_again(const ExploreOptions& stored, const ExploreOptions& asked) {
       [&](const Constraint& constraint) { return has_too(asked, constraint, stored); });
 }
 
-// What is better in everything meets it if a design does.
+// True if a design that is better in everything meets the constraint whenever the other one does.
 bool admits_what_is_better(const Constraint& constraint, const Order& order) {
   const auto& ranked = order.objectives;
   if (std::find(ranked.begin(), ranked.end(), constraint.objective) == ranked.end()) return false;
@@ -156,6 +156,7 @@ StoredRanking stored_ranking(const StoreReader& store, const ExploreOptions& sto
     part.total += shard.record.total;
     part.generated += shard.record.generated;
     part.evaluated += shard.record.evaluated;
+    part.without_tensions.add(shard.record.without_tensions);
     part.unconverged += shard.record.unconverged;
     ranking.of_shards = shard.shard.count;
     ++ranking.shards;

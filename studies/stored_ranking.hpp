@@ -1,9 +1,9 @@
-// What a store keeps, ranked again by other objectives or under other constraints, without
+// Ranks the designs of a store again by other objectives or under other constraints, without
 // evaluating anything.
 //
-// Of a store that keeps all designs the result is that of an exploration. One that keeps the best
-// holds those that fewer than K others beat in the objectives that it was made with (archive.hpp).
-// That is enough
+// If a store keeps all designs, the result is that of an exploration. One that keeps the best holds
+// those that fewer than K others beat in the objectives that it was made with (archive.hpp). That
+// is enough
 //   - for the same order, at most K designs, and the same constraints;
 //   - with further constraints that each bound one of these objectives on its worse side: what
 //     beats a design is no worse in it, and so meets it too; with each design that meets them those
@@ -25,23 +25,24 @@ namespace reeve::studies {
 // Why designs may be missing.
 enum class Gap : std::uint8_t {
   other_order,           // other objectives, or another score that decides
-  constraint_dropped,    // what it left out was not kept
-  constraint_elsewhere,  // of an objective that is not ranked, or on its better side
+  constraint_dropped,    // the designs that it left out were not kept
+  constraint_elsewhere,  // its objective is not ranked, or bounded on the better side
   more_than_kept,        // designs
 };
 
-// Of a store that keeps the best alone, as far as options tell. Empty: none is.
+// Returns the gaps of a store that keeps the best alone, as far as options tell. Empty if there are
+// none.
 std::vector<Gap> gaps(const ExploreOptions& stored, const ExploreOptions& asked);
 
 struct StoredRanking {
-  ExploreReport report;  // of the designs that are kept; without known routings and sample
+  ExploreReport report;  // report of the kept designs; without known routings and sample
   std::vector<Gap> gaps;
   bool keeps_all = false;
   std::uint64_t kept = 0;    // designs that were ranked or failed a constraint
-  std::uint64_t failed = 0;  // of these
+  std::uint64_t failed = 0;  // kept designs that failed a constraint
   // Not every shard was explored to its end.
   bool partial = false;
-  std::uint64_t shards = 0;  // that have begun
+  std::uint64_t shards = 0;  // shards that have begun
   std::uint64_t of_shards = 1;
 };
 

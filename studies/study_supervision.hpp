@@ -1,4 +1,4 @@
-// Who watches a study that takes long, and may stop it.
+// Progress and cancellation callbacks of a long study.
 #pragma once
 
 #include <atomic>

@@ -14,13 +14,16 @@
 #include "search/enumerate/generator.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "search/rank/ranking.hpp"
+#include "search/uncertainty/coefficient_box.hpp"
 
 namespace reeve::studies {
 namespace {
 
 constexpr std::uint64_t block_size = 1024;
 
-using Key = std::tuple<double, double, double, double, std::string>;
+constexpr std::size_t contact_draws = 40;
+
+using Key = std::tuple<double, double, double, double, double, std::string>;
 
 struct TargetCandidate {
   Key key;
@@ -37,6 +40,19 @@ bool is_one_tree(const Network& network) {
   return std::all_of(network.tendons.begin(), network.tendons.end(), [&](const TendonSpan& tendon) {
     return tendon.tree == network.tendons.front().tree;
   });
+}
+
+// Returns the 95 % quantile of the miss over draws of the contacts, and the pulls there.
+UnlikeContacts unlike_contacts(const GoalEvaluator& goal, Model model, std::uint64_t seed) {
+  std::vector<std::pair<double, std::uint64_t>> misses;
+  const auto draw = [&](std::uint64_t d) -> const Model& {
+    model.hardware.contact_draw = contact_draw(model.hardware, seed, d);
+    return model;
+  };
+  for (std::uint64_t d = 0; d < contact_draws; ++d) misses.emplace_back(goal.value(draw(d)), d);
+  const auto high = misses.begin() + static_cast<std::ptrdiff_t>(contact_draws * 19 / 20);
+  std::nth_element(misses.begin(), high, misses.end());
+  return {high->first, goal.shares(draw(high->second))};
 }
 
 // Lower is better.
@@ -91,8 +107,11 @@ class Screening {
       const double statics = is_one_tree(expand(routing)) ? goal.value(frictionless_)
                                                           : std::numeric_limits<double>::infinity();
       const double nominal = goal.value(sizing_.nominal);
-      return TargetCandidate{{beyond_met(statics), beyond_met(nominal), price(values, std::nullopt),
-                              part_total(values), to_word(routing)},
+      // Few meet the target. All others miss it, whatever their contacts do.
+      const bool is_met = statics <= met_miss && nominal <= met_miss;
+      const double unlike = is_met ? unlike_contacts(goal, sizing_.nominal, sizing_.seed).miss : 0;
+      return TargetCandidate{{beyond_met(statics), beyond_met(nominal), unlike > met_miss ? 1. : 0.,
+                              price(values, std::nullopt), part_total(values), to_word(routing)},
                              routing,
                              statics};
     } catch (const OutOfRange&) {
@@ -139,31 +158,32 @@ Screening::Found screened(const ExploreOptions& explored, const SizingOptions& s
   return all;
 }
 
-std::vector<double> shares_of(const SizedDesign& design, const SizingOptions& sizing,
-                              double factor) {
-  Model model = sizing.nominal;
-  model.hardware = design.hardware;
-  const GoalEvaluator goal(design.routing, sizing.goal, goal_grasps(sizing), sizing.score);
-  return goal.shares(with_friction_times(model, factor));
-}
-
 Key key(const TargetedDesign& design) {
   const SizedGoal& sized = design.sized.design.after;
-  return {beyond_met(design.static_miss), beyond_met(sized.nominal),
-          price(sized.values, sized.motor), part_total(sized.values), design.sized.word};
+  return {beyond_met(design.static_miss),
+          beyond_met(sized.nominal),
+          design.unlike.miss > met_miss ? 1. : 0.,
+          price(sized.values, sized.motor),
+          part_total(sized.values),
+          design.sized.word};
 }
 
 TargetedDesign targeted(SizedRouting sized, const std::vector<TargetCandidate>& candidates,
                         const SizingOptions& sizing) {
-  TargetedDesign design{std::move(sized), 0, {}};
+  TargetedDesign design{std::move(sized), 0, {}, {}};
   for (const TargetCandidate& candidate : candidates) {
     if (std::get<std::string>(candidate.key) == design.sized.word) {
       design.static_miss = candidate.static_miss;
     }
   }
+  const SizedDesign& as_sized = design.sized.design;
+  Model model = sizing.nominal;
+  model.hardware = as_sized.hardware;
+  const GoalEvaluator goal(as_sized.routing, sizing.goal, goal_grasps(sizing), sizing.score);
   for (std::size_t i = 0; i < friction_factors.size(); ++i) {
-    design.moved_shares.at(i) = shares_of(design.sized.design, sizing, friction_factors.at(i));
+    design.moved_shares.at(i) = goal.shares(with_friction_times(model, friction_factors.at(i)));
   }
+  design.unlike = unlike_contacts(goal, model, sizing.seed);
   return design;
 }
 

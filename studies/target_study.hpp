@@ -7,12 +7,16 @@
 // A pull is the sum of a finger's strands; the miss is that of sizing/goal.hpp, over the target's
 // grasps. Two passes: all routings at zero friction, of which the first are kept, and those sized
 // at the nominal coefficients (sizing/size.hpp). The order of the first pass: the miss at zero
-// friction, then the miss as it is, where either is over met_miss; then motor force, or efficiency
-// without a hand; fewer parts; the word. That of the second likewise, with the sized miss.
+// friction, then the miss as it is, where they are over met_miss; whether unlike contacts miss;
+// motor force, or efficiency without a hand; fewer parts; the word. The second pass has the same
+// order, with the sized misses.
 // Tendons of several trees on one carriage share its pull by their stiffness, which is no statics:
 // such a design counts as one that misses.
 // How far a ratio hangs on friction: the sized design with all μ at half and at one and a half of
 // their values.
+// Unlike contacts: no two contacts of a kind are alike (ContactScatter of core/hardware.hpp), so
+// that a ratio by statics may hang on two sheaths being equal. The miss is its 95 % quantile over
+// draws of the contacts.
 #pragma once
 
 #include <array>
@@ -32,11 +36,17 @@ namespace reeve::studies {
 inline constexpr std::size_t most_targeted = 20;
 inline constexpr std::array<double, 2> friction_factors{0.5, 1.5};
 
+struct UnlikeContacts {
+  double miss = 0;             // 95 % quantile
+  std::vector<double> shares;  // of the fingers in all pull, in the draw with that miss
+};
+
 struct TargetedDesign {
   SizedRouting sized;
   double static_miss = 0;  // at zero friction; infinite of several trees
   // Shares of the fingers in all pull, of the sized design with all μ times a friction factor.
   std::array<std::vector<double>, friction_factors.size()> moved_shares;
+  UnlikeContacts unlike;  // of the sized design
 
   bool is_by_statics() const { return static_miss <= met_miss; }
   bool is_met() const { return sized.design.after.nominal <= met_miss; }
@@ -46,7 +56,8 @@ struct TargetedDesign {
 struct TargetReport {
   SizingOptions sizing;  // with the target
   std::vector<TargetedDesign> designs;
-  std::uint64_t by_statics = 0;  // of all routings that meet the constraints
+  // routings that meet the target by statics, among all that meet the constraints
+  std::uint64_t by_statics = 0;
   bool partial = false;
 };
 

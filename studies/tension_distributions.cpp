@@ -61,7 +61,7 @@ bool is_coefficient_of_tubes_or_sheaths(const Effect& effect) {
 }
 
 // Strand by strand; NaN where all are slack.
-std::vector<double> model_shares(const ShownRouting& report) {
+std::vector<double> model_shares(const SolvedRouting& report) {
   const ShownGrasp& shown = report.grasps.front();
   std::vector<double> shares(2 * static_cast<std::size_t>(report.network.fingers));
   for (std::size_t i = 0; i < report.network.segments.size(); ++i) {
@@ -103,7 +103,7 @@ class Distributions {
   const Catalogue& catalogue_;
   CheckReport checked_;
   std::vector<std::string> words_;
-  std::vector<MeasuredShares> measured_;  // of the routings that were asked for
+  std::vector<MeasuredShares> measured_;  // shares of the requested routings
   std::optional<SharedData> data_;
   std::uint64_t unconverged_ = 0;
 };
@@ -166,7 +166,7 @@ std::string Distributions::fault(const CatalogueEntry& entry, const std::string&
   return "";
 }
 
-// What is printed for these coefficients, a table before what a figure draws.
+// Adds the printed shares for these coefficients; a table has precedence over a figure.
 void Distributions::add_published(TensionDistribution& distribution) const {
   for (RoutingShares& shares : distribution.routings) {
     for (const CatalogueEntry& entry : catalogue_.entries) {
@@ -258,8 +258,8 @@ TensionDistribution Distributions::at(const FrictionCase& which, Grasp grasp) {
   result.sensors_differ = reaches(which.model, Reach::reading);
   result.grasp = grasp;
   for (const Routing& routing : request_.routings) {
-    const ShownRouting shown =
-        shown_routing(routing, which.model, {{grasp, 1}}, Direction::pull, catalogue_);
+    const SolvedRouting shown =
+        solved_routing(routing, which.model, {{grasp, 1}}, Direction::pull, catalogue_);
     unconverged_ += shown.unconverged;
     RoutingShares& shares = result.routings.emplace_back();
     shares.word = shown.word;
@@ -277,7 +277,7 @@ TensionDistribution Distributions::at(const FrictionCase& which, Grasp grasp) {
 
 TensionDistributions Distributions::run(const std::vector<Grasp>& grasps) {
   TensionDistributions result{{}, data_, 0};
-  for (const Grasp grasp : grasps) {
+  for (const Grasp& grasp : grasps) {
     for (const FrictionCase& which : request_.cases) result.list.push_back(at(which, grasp));
   }
   result.unconverged = unconverged_;

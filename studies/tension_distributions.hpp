@@ -34,8 +34,8 @@ struct FrictionCase {
   Model model;
 };
 
-// In place of the hardware's coefficients of tubes and sheaths and of effects on them. What the
-// hardware says of one finger or one contact stays.
+// In place of the hardware's coefficients of tubes and sheaths and of effects on them. The
+// hardware's own values of one finger or one contact stay.
 FrictionCase with_coefficient(Model model, double mu);
 
 struct DistributionRequest {
@@ -71,11 +71,11 @@ struct RoutingShares {
 
 // √ Σ (share − share)² over the strands, averaged over the routings that have both.
 struct MeanShareErrors {
-  std::optional<double> model;      // of the model, against what was measured
-  std::optional<double> published;  // of what is published, against what was measured
+  std::optional<double> model;      // model against measurement
+  std::optional<double> published;  // publication against measurement
 };
 
-// Of one case and in one grasp, pulling.
+// Distribution of one case in one grasp, pulling.
 struct TensionDistribution {
   FrictionKind kind = FrictionKind::model;
   double tube_mu = 0;

@@ -26,7 +26,7 @@ constexpr std::size_t grain = 256;
 struct TableRouting {
   std::string word;
   Network network;
-  std::vector<std::size_t> place;  // of its segments, in the table's
+  std::vector<std::size_t> place;  // indices of its segments among the table's
 };
 
 std::vector<TableRouting> table_routings(const std::vector<Routing>& routings,
@@ -126,7 +126,7 @@ class SampleSolver {
   }
 
   const TensionTableRequest& request_;
-  std::vector<ContactKind> kinds_;  // that vary; bearings before blocks
+  std::vector<ContactKind> kinds_;  // kinds that vary; bearings before blocks
   MechanicsBuilder builder_;
   Hardware varied_;
   Mechanics mechanics_;

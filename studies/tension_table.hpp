@@ -1,8 +1,8 @@
 // Tensions of several routings in several grasps, while coefficients of the hardware vary: one
 // solve of the plain friction model for each routing, grasp and sample.
 //
-// A sample has one value of each coefficient that varies. What the hardware says of one finger or
-// of one contact stays.
+// A sample has one value of each coefficient that varies. The hardware's own values of one finger
+// or of one contact stay.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace reeve::studies {
 
-// Of the law of all contacts of one kind.
+// Coefficient of the law of all contacts of one kind.
 enum class LawTerm : std::uint8_t { mu, angle };
 
 struct CoefficientColumn {

@@ -47,6 +47,11 @@ inline std::uint64_t multichoose(std::uint64_t n, std::uint64_t k) {
   return n == 0 ? 0 : binomial(n + k - 1, k);
 }
 
+// Unordered pairs of n things, by Burnside: the exchange of the sides leaves `twins` as they are.
+inline std::uint64_t unordered_pairs(std::uint64_t n, std::uint64_t twins) {
+  return narrow((Wide{n} * n + twins) / 2);
+}
+
 // An index as a number of mixed radix, read from its last digit on.
 class Digits {
  public:
@@ -60,7 +65,7 @@ class Digits {
     return digit;
   }
 
-  // Whether the number is among the first `count`; otherwise takes these off.
+  // True if the number is among the first `count`; otherwise subtracts `count`.
   bool is_among(std::uint64_t count) {
     if (rest_ < count) return true;
     rest_ -= count;

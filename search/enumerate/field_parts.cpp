@@ -25,7 +25,7 @@ FieldParts field_parts(const FieldRequest& request) {
   FieldParts field{request.generator.parts, std::nullopt};
   if (request.blocks) field.parts.blocks = *request.blocks;
   const int to_blocks = request.blocks.value_or(useful_blocks(request.generator.fingers));
-  const std::uint64_t limit = most_field_routings(request.generator.identity);
+  const std::uint64_t limit = most_field_routings(request.generator);
   std::uint64_t routings = routings_with(request.generator, field.parts);
   while (!field.parts.anchored || field.parts.blocks < to_blocks) {
     const PartSet next = with_next_part(field.parts);

@@ -20,20 +20,21 @@ namespace reeve::search {
 inline constexpr std::uint64_t most_of_identical_fingers = 2'000'000;
 // The limit is lower for fingers that are told apart: no tree is evaluated for more than one
 // routing, which takes ten times as long. 137 thousand routings of three fingers and two blocks
-// take 4 s of one core. 1.9 million of four fingers and a block take 26 s.
+// take 4 s of one core. 1.9 million of four fingers and a block take 26 s. Likewise for several
+// motors, whose routings are numbered one by one.
 inline constexpr std::uint64_t most_of_distinct_fingers = 200'000;
 
-constexpr std::uint64_t most_field_routings(FingerIdentity identity) {
-  return identity == FingerIdentity::identical ? most_of_identical_fingers
-                                               : most_of_distinct_fingers;
+inline std::uint64_t most_field_routings(const GeneratorOptions& generator) {
+  const bool alike = generator.identity == FingerIdentity::identical && generator.parts.motors == 1;
+  return alike ? most_of_identical_fingers : most_of_distinct_fingers;
 }
 
 struct LeftOutParts {
   bool anchored = false;       // no tendon is tied at a fingertip
   int from_blocks = 0;         // the least number of blocks that is left out …
   int to_blocks = 0;           // … and the greatest that the fingers can use
-  std::uint64_t routings = 0;  // there are at least so many with the next part …
-  std::uint64_t limit = 0;     // … and at most so many are explored unasked
+  std::uint64_t routings = 0;  // number of routings with the next part, at least …
+  std::uint64_t limit = 0;     // … and the number up to which all are explored by default
 };
 
 struct FieldParts {

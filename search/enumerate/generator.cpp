@@ -5,6 +5,7 @@
 
 #include "core/mechanics.hpp"
 #include "search/enumerate/checked.hpp"
+#include "search/enumerate/counting.hpp"
 #include "search/enumerate/field_parts.hpp"
 
 namespace reeve::search {
@@ -15,8 +16,7 @@ constexpr std::uint64_t looked_at = most_of_identical_fingers;
 
 // Segments that are no strand have numbers in walk order, and only blocks make those at the hand.
 bool may_touch(const ContactHardware& contact, const PartSet& parts) {
-  const Segment a = parse_segment(contact.segment);
-  const Segment b = parse_segment(contact.other_segment);
+  const auto [a, b] = parse_contact(contact);
   const bool is_at_hand = a.kind == SegmentKind::hand || b.kind == SegmentKind::hand;
   if (is_at_hand && parts.blocks == 0) return false;
   if (a.kind == SegmentKind::strand || a.kind != b.kind) return true;
@@ -44,8 +44,7 @@ std::vector<std::string> impossible_contacts(const Hardware& hardware,
   std::erase_if(missing, [&](const std::string& contact) {
     return std::any_of(hardware.contacts.begin(), hardware.contacts.end(),
                        [&](const ContactHardware& named) {
-                         return named.segment + "-" + named.other_segment == contact &&
-                                may_touch(named, options.parts);
+                         return name_of(named) == contact && may_touch(named, options.parts);
                        });
   });
   return missing;
@@ -53,12 +52,37 @@ std::vector<std::string> impossible_contacts(const Hardware& hardware,
 
 RoutingGenerator::RoutingGenerator(const GeneratorOptions& options)
     : tendons_(options), total_(tendons_.total()) {
-  if (options.parts.blocks == 0) return;
-  trees_.emplace(options);
-  total_ = plus(total_, trees_->total());
+  if (options.parts.blocks > 0) {
+    trees_.emplace(options);
+    total_ = plus(total_, trees_->total());
+  }
+  if (options.parts.motors == 1) return;
+  const RoutingCounts counts = count_routings(options.parts, options.fingers, options.identity);
+  total_ = options.one_tendon ? counts.one_tendon : counts.all;
+  carriages_.emplace(options.parts.motors, options.identity);
+}
+
+bool RoutingGenerator::next_of_motors(Routing& routing) {
+  while (!carriages_->next(routing)) {
+    if (!next_of_one_motor(of_one_motor_)) return false;
+    carriages_->start(of_one_motor_);
+  }
+  ++place_;
+  return true;
 }
 
 void RoutingGenerator::seek(std::uint64_t index) {
+  if (!carriages_) return seek_of_one_motor(index);
+  if (index < place_) {
+    seek_of_one_motor(0);
+    carriages_->start({});
+    place_ = 0;
+  }
+  Routing passed;
+  while (place_ < index && next_of_motors(passed)) check_.step();
+}
+
+void RoutingGenerator::seek_of_one_motor(std::uint64_t index) {
   tendons_.seek(index);
   if (!trees_) return;
   const std::uint64_t before = tendons_.total();

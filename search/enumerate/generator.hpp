@@ -1,8 +1,11 @@
 // Every routing that a set of parts allows, one after the other, each once, by canonical word.
 //
 // Those without floating blocks come first, in canonical order (tendon_generator.hpp), then those
-// with one, with two, … (tree_generator.hpp). `seek` starts at any index by reckoning how many lie
-// before it, so that shards partition the whole without talking to each other.
+// with one, with two, … (tree_generator.hpp). Routings of several motors follow in the order of the
+// routings of one that they are if all carriages are taken for one (numbering.hpp).
+//
+// `seek` starts at any index by reckoning how many lie before it, so that shards partition the
+// whole without talking to each other. With several motors it goes there step by step.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +14,7 @@
 #include <vector>
 
 #include "core/hardware.hpp"
+#include "search/enumerate/numbering.hpp"
 #include "search/enumerate/tendon_generator.hpp"
 #include "search/enumerate/tree_generator.hpp"
 
@@ -28,15 +32,29 @@ class RoutingGenerator {
 
   // False when all have been given. Keeps the memory of `routing`.
   bool next(Routing& routing) {
-    return tendons_.next(routing) || (trees_ && trees_->next(routing));
+    return carriages_ ? next_of_motors(routing) : next_of_one_motor(routing);
   }
 
-  void stop_with(const StopCheck& check) { tendons_.stop_with(check); }
+  void stop_with(const StopCheck& check) {
+    tendons_.stop_with(check);
+    check_ = check;
+  }
 
  private:
+  bool next_of_one_motor(Routing& routing) {
+    return tendons_.next(routing) || (trees_ && trees_->next(routing));
+  }
+  bool next_of_motors(Routing& routing);
+  void seek_of_one_motor(std::uint64_t index);
+
   TendonGenerator tendons_;
   std::optional<TreeGenerator> trees_;
   std::uint64_t total_ = 0;
+
+  std::optional<CarriageNumbering> carriages_;  // set for several motors
+  Routing of_one_motor_;                        // the routing that gets motor numbers
+  std::uint64_t place_ = 0;                     // place of the next routing of several motors
+  StopCheck check_;
 };
 
 struct ShardRange {

@@ -1,8 +1,9 @@
 #include "search/enumerate/numbering.hpp"
 
 #include <algorithm>
+#include <utility>
 
-#include "core/canonical.hpp"
+#include "core/notation.hpp"
 
 namespace reeve::search {
 namespace {
@@ -80,6 +81,58 @@ bool Numbering::admits(const Routing& routing, const Place& place) const {
     return false;
   }
   return !place.ends_tendon || is_canonical(tendon);
+}
+
+void CarriageNumbering::start(const Routing& of_one_motor) {
+  routing_ = of_one_motor;
+  numbers_.clear();
+  given_.clear();
+  at_first_ = true;
+  for (Tendon& tendon : routing_.tendons) {
+    for (Token& token : tendon.walk) {
+      if (is_on_carriage(token.kind)) numbers_.push_back(&token.carriage);
+    }
+  }
+  if (numbers_.size() < static_cast<std::size_t>(motors_)) numbers_.clear();
+}
+
+// Names of identical motors make no difference, so each new one may have the next number.
+bool CarriageNumbering::advance() {
+  const auto greatest_before = [&](std::size_t place) {
+    std::uint8_t greatest = 0;
+    for (std::size_t i = 0; i < place; ++i) greatest = std::max(greatest, *numbers_[i]);
+    return greatest;
+  };
+  for (std::size_t place = numbers_.size(); place-- > 0;) {
+    const bool alike = identity_ == FingerIdentity::identical;
+    const int most = alike ? std::min(motors_, greatest_before(place) + 1) : motors_;
+    if (*numbers_[place] < most) {
+      ++*numbers_[place];
+      return true;
+    }
+    *numbers_[place] = 1;
+  }
+  return false;
+}
+
+bool CarriageNumbering::uses_all() const {
+  for (int motor = 1; motor <= motors_; ++motor) {
+    if (std::none_of(numbers_.begin(), numbers_.end(),
+                     [&](const std::uint8_t* number) { return *number == motor; })) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool CarriageNumbering::next(Routing& routing) {
+  while (!numbers_.empty() && (std::exchange(at_first_, false) || advance())) {
+    if (!uses_all()) continue;
+    routing = canonical(routing_, identity_);
+    if (given_.insert(to_word(routing)).second) return true;
+  }
+  numbers_.clear();
+  return false;
 }
 
 }  // namespace reeve::search

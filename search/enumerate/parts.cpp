@@ -1,12 +1,14 @@
 #include "search/enumerate/parts.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/nearest_name.hpp"
 #include "core/text.hpp"
 
 namespace reeve::search {
@@ -27,17 +29,18 @@ template <typename Kind, std::size_t n>
 std::vector<Kind> parse(const std::string& option, const std::string& text,
                         const std::array<Named<Kind>, n>& names) {
   std::vector<Kind> kinds;
-  std::string expected;
-  for (const auto& [label, kind] : names)
-    expected += (expected.empty() ? "" : ", ") + std::string(label);
+  std::vector<std::string> labels;
+  for (const auto& [label, kind] : names) labels.emplace_back(label);
   if (text.empty()) return kinds;
   for (const std::string& item : comma_separated(text)) {
     const auto found = std::find_if(names.begin(), names.end(),
                                     [&](const auto& named) { return named.first == item; });
     if (found == names.end()) {
-      throw InputError({.where = fmt::format("{} '{}'", option, text),
-                        .value = item,
-                        .expected = fmt::format("a comma-separated list of {}", expected)});
+      throw InputError(
+          {.where = fmt::format("{} '{}'", option, text),
+           .value = item,
+           .expected = fmt::format("a comma-separated list of {}{}", fmt::join(labels, ", "),
+                                   did_you_mean(item, labels))});
     }
     kinds.push_back(found->second);
   }
@@ -78,8 +81,8 @@ PartSet all_parts() {
 }
 
 std::vector<TipKind> parse_tips(const std::string& text) { return parse("tips", text, tip_names); }
-std::vector<TokenKind> parse_joins(const std::string& text) {
-  return parse("joins", text, join_names);
+std::vector<TokenKind> parse_joins(const std::string& text, const std::string& option) {
+  return parse(option, text, join_names);
 }
 std::vector<TokenKind> parse_ends(const std::string& text) {
   return parse("ends", text, end_names);
@@ -87,6 +90,7 @@ std::vector<TokenKind> parse_ends(const std::string& text) {
 
 std::string tips_text(const PartSet& parts) { return print(parts.tips, tip_names); }
 std::string joins_text(const PartSet& parts) { return print(parts.joins, join_names); }
+std::string beside_text(const PartSet& parts) { return print(parts.beside, join_names); }
 std::string ends_text(const PartSet& parts) { return print(parts.ends, end_names); }
 
 void validate(const PartSet& parts) {
@@ -100,13 +104,22 @@ void validate(const PartSet& parts) {
     throw InputError({.what = fmt::format("blocks {}", parts.blocks),
                       .expected = fmt::format("a number from 0 to {}", max_generated_blocks)});
   }
+  if (parts.motors < 1 || parts.motors > max_carriages) {
+    throw InputError({.what = fmt::format("motors {}", parts.motors),
+                      .expected = fmt::format("a number from 1 to {}", max_carriages)});
+  }
 }
 
-PartSet passive_parts(const PartSet& parts) {
-  PartSet passive = parts;
-  std::erase_if(passive.joins, is_on_carriage);
-  std::erase_if(passive.ends, is_on_carriage);
-  return passive;
+PartSet with_carriages(const PartSet& parts, int carriages) {
+  PartSet result = parts;
+  for (std::vector<TokenKind>* kinds : {&result.joins, &result.ends, &result.beside}) {
+    const auto is_moved = std::stable_partition(
+        kinds->begin(), kinds->end(), [](TokenKind kind) { return !is_on_carriage(kind); });
+    const std::vector<TokenKind> moved(is_moved, kinds->end());
+    kinds->erase(is_moved, kinds->end());
+    for (int c = 0; c < carriages; ++c) kinds->insert(kinds->end(), moved.begin(), moved.end());
+  }
+  return result;
 }
 
 }  // namespace reeve::search

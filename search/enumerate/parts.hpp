@@ -13,11 +13,13 @@ struct PartSet {
   std::vector<TipKind> tips;
   std::vector<TokenKind> joins;
   std::vector<TokenKind> ends;
-  bool anchored = false;  // a tendon may be tied at a fingertip: 1x
-  int blocks = 0;         // at most so many floating blocks in a routing
+  bool anchored = false;            // true if a tendon may be tied at a fingertip: 1x
+  int blocks = 0;                   // greatest number of floating blocks in a routing
+  int motors = 1;                   // every routing of several motors uses all of them
+  std::vector<TokenKind> beside{};  // joins that may stand beside an end or a tail: F-P-1x, Y1-P-Y2
 };
 
-// Of floating blocks in generated routings.
+// Greatest number of floating blocks in generated routings.
 inline constexpr int max_generated_blocks = 8;
 
 PartSet paper_parts();  // tip tube; joins T, P; ends M, F
@@ -25,19 +27,21 @@ PartSet full_parts();   // + tip bearing, + join B
 PartSet all_parts();    // + anchored tips, + one floating block
 
 // Comma-separated names: tips "tube,bearing", joins "T,B,P", ends "M,F"; "" is the empty list.
-// Throw InputError that names the item and what was expected.
+// Throw InputError that names the option, the item and what was expected.
 std::vector<TipKind> parse_tips(const std::string& text);
-std::vector<TokenKind> parse_joins(const std::string& text);
+std::vector<TokenKind> parse_joins(const std::string& text, const std::string& option = "joins");
 std::vector<TokenKind> parse_ends(const std::string& text);
-// Some routing must be possible: a tip, and either an end or a join. And no more blocks than can
-// be.
+// Some routing must be possible: a tip, and either an end or a join. And no more blocks and motors
+// than can be.
 void validate(const PartSet& parts);
 
 std::string tips_text(const PartSet& parts);
 std::string joins_text(const PartSet& parts);
+std::string beside_text(const PartSet& parts);
 std::string ends_text(const PartSet& parts);
 
-// The parts that do not hang on the carriage: tendons made of them alone are not actuated.
-PartSet passive_parts(const PartSet& parts);
+// Each kind on a carriage as often as there are carriages. Tendons made of what is left with 0
+// are not actuated.
+PartSet with_carriages(const PartSet& parts, int carriages);
 
 }  // namespace reeve::search

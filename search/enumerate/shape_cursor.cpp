@@ -5,89 +5,86 @@
 #include "core/canonical.hpp"
 
 namespace reeve::search {
-namespace {
 
-// The next token of the same sort that the parts allow; false, and the first one, behind the last.
-bool next_token(const PartSet& parts, Token& token) {
-  if (token.kind == TokenKind::anchored_tip) return false;
-  if (token.kind == TokenKind::finger) {
-    auto tip = std::find(parts.tips.begin(), parts.tips.end(), token.tip) + 1;
-    const bool more = tip != parts.tips.end();
-    token.tip = more ? *tip : parts.tips.front();
-    return more;
-  }
-  const std::vector<TokenKind>& kinds = is_end(token.kind) ? parts.ends : parts.joins;
-  auto kind = std::find(kinds.begin(), kinds.end(), token.kind) + 1;
-  const bool more = kind != kinds.end();
-  token.kind = more ? *kind : kinds.front();
-  return more;
-}
-
-}  // namespace
-
-bool ShapeCursor::start_open(const PartSet& parts, const Token& first) {
-  const bool from_tip = first.kind == TokenKind::anchored_tip;
-  if (from_tip && fingers_ == 1) return false;  // 1x-M is M-1x
-  if (parts.ends.empty() && !parts.anchored) return false;
-  if (fingers_ > 1 && parts.joins.empty()) return false;
-  shape_.closed = false;
-  shape_.walk.assign(1, first);
-  for (int f = from_tip ? 1 : 0; f < fingers_; ++f) {
-    if (f > 0) shape_.walk.push_back(plain(parts.joins.front()));
-    shape_.walk.push_back(finger(0, parts.tips.front()));
-  }
-  if (parts.anchored) {
-    shape_.walk.back() = anchored_tip(0);
+// Returns the tokens that may follow the walk so far, in canonical order. An open walk has an end,
+// maybe with a join beside it, or an anchored tip. Then come fingers with a join between each two,
+// and the other end likewise.
+ShapeCursor::Choices ShapeCursor::choices(const PartSet& parts) const {
+  Choices choices;
+  const auto add_kinds = [&](const std::vector<TokenKind>& kinds) {
+    for (const TokenKind kind : kinds) choices.push_back(plain(kind));
+  };
+  const auto add_tips = [&] {
+    for (const TipKind tip : parts.tips) choices.push_back(finger(0, tip));
+  };
+  const Walk& walk = shape_.walk;
+  const bool at_begin = walk.empty();
+  const bool behind_finger = !at_begin && is_of_finger(walk.back().kind);
+  const bool at_last = passed_ + 1 == fingers_;
+  if (shape_.closed) {
+    if (behind_finger) {
+      add_kinds(parts.joins);
+    } else {
+      add_tips();
+    }
+  } else if (at_begin) {
+    add_kinds(parts.ends);
+    if (parts.anchored && !at_last) choices.push_back(anchored_tip(0));  // 1x-M is M-1x
+  } else if (passed_ == fingers_) {
+    add_kinds(parts.ends);
+    if (behind_finger) add_kinds(parts.beside);
+  } else if (behind_finger) {
+    add_kinds(parts.joins);
   } else {
-    shape_.walk.push_back(plain(parts.ends.front()));
+    if (parts.anchored && at_last) choices.push_back(anchored_tip(0));
+    if (!at_last || !parts.ends.empty()) add_tips();
+    if (is_end(walk.back().kind)) add_kinds(parts.beside);
   }
-  return true;
+  return choices;
 }
 
-bool ShapeCursor::start_closed(const PartSet& parts) {
-  if (parts.joins.empty()) return false;
-  shape_.closed = true;
+bool ShapeCursor::is_whole() const {
+  const Walk& walk = shape_.walk;
+  if (passed_ < fingers_) return false;
+  if (shape_.closed) return !is_of_finger(walk.back().kind);
+  return is_end(walk.back().kind);
+}
+
+void ShapeCursor::push(const Token& token) {
+  shape_.walk.push_back(token);
+  if (is_of_finger(token.kind)) ++passed_;
+}
+
+bool ShapeCursor::start_family(const PartSet& parts, bool closed) {
+  const bool joined = closed || fingers_ > 1;
+  if (joined && parts.joins.empty()) return false;
+  if (!closed && parts.ends.empty() && !(parts.anchored && fingers_ > 1)) return false;
+  shape_.closed = closed;
   shape_.walk.clear();
-  for (int f = 0; f < fingers_; ++f) {
-    shape_.walk.push_back(finger(0, parts.tips.front()));
-    shape_.walk.push_back(plain(parts.joins.front()));
-  }
+  passed_ = 0;
+  complete(parts);
   return true;
 }
 
-bool ShapeCursor::start_walk(const PartSet& parts) {
-  if (!parts.ends.empty() && start_open(parts, plain(parts.ends.front()))) return true;
-  if (parts.anchored && start_open(parts, anchored_tip(0))) return true;
-  return start_closed(parts);
-}
-
-// Ends, then anchored tips, then loops: each with walks of another length.
-bool ShapeCursor::next_family(const PartSet& parts) {
-  if (shape_.closed) return false;
-  const bool from_end = shape_.walk.front().kind != TokenKind::anchored_tip;
-  if (from_end && parts.anchored && start_open(parts, anchored_tip(0))) return true;
-  return start_closed(parts);
+void ShapeCursor::complete(const PartSet& parts) {
+  do {
+    push(choices(parts).front());
+  } while (!is_whole());
 }
 
 bool ShapeCursor::next_walk(const PartSet& parts) {
-  std::size_t i = shape_.walk.size();
-  const bool may_anchor = parts.anchored && !shape_.closed;
-  if (may_anchor && shape_.walk.back().kind == TokenKind::anchored_tip) {
-    --i;
-    if (!parts.ends.empty()) {
-      shape_.walk.back() = finger(0, parts.tips.front());
-      shape_.walk.push_back(plain(parts.ends.front()));
-      return true;
-    }
+  while (!shape_.walk.empty()) {
+    const Token last = shape_.walk.back();
+    shape_.walk.pop_back();
+    if (is_of_finger(last.kind)) --passed_;
+    const Choices here = choices(parts);
+    const auto next = std::find(here.begin(), here.end(), last) + 1;
+    if (next == here.end()) continue;
+    push(*next);
+    if (!is_whole()) complete(parts);
+    return true;
   }
-  while (i-- > 0) {
-    if (next_token(parts, shape_.walk[i])) return true;
-    if (may_anchor && i + 2 == shape_.walk.size() && !is_of_finger(shape_.walk.back().kind)) {
-      shape_.walk.pop_back();
-      shape_.walk.back() = anchored_tip(0);
-    }
-  }
-  return next_family(parts);
+  return !shape_.closed && start_family(parts, true);
 }
 
 bool ShapeCursor::settle(const PartSet& parts) {
@@ -100,7 +97,7 @@ bool ShapeCursor::settle(const PartSet& parts) {
 bool ShapeCursor::start(const PartSet& parts, int fingers) {
   fingers_ = fingers;
   index_ = 0;
-  return start_walk(parts) && settle(parts);
+  return (start_family(parts, false) || start_family(parts, true)) && settle(parts);
 }
 
 bool ShapeCursor::next(const PartSet& parts) {

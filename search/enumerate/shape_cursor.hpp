@@ -1,6 +1,8 @@
 // The tendons that a set of parts allows, without finger numbers, one after the other.
 #pragma once
 
+#include <boost/container/static_vector.hpp>
+
 #include <cstdint>
 
 #include "core/routing.hpp"
@@ -21,15 +23,20 @@ class ShapeCursor {
   const Tendon& shape() const { return shape_; }
 
  private:
-  bool start_open(const PartSet& parts, const Token& first);
-  bool start_closed(const PartSet& parts);
-  bool start_walk(const PartSet& parts);
+  // Choices at one place: at most an anchored tip, two tips, two ends and three joins.
+  using Choices = boost::container::static_vector<Token, 8>;
+
+  Choices choices(const PartSet& parts) const;
+  bool is_whole() const;
+  void push(const Token& token);
+  void complete(const PartSet& parts);
+  bool start_family(const PartSet& parts, bool closed);
   bool next_walk(const PartSet& parts);
-  bool next_family(const PartSet& parts);
   bool settle(const PartSet& parts);
 
   Tendon shape_;
   int fingers_ = 0;
+  int passed_ = 0;  // number of fingers on the walk so far
   std::uint64_t index_ = 0;
 };
 

@@ -45,7 +45,7 @@ class TendonGenerator {
   // False when all have been given. Keeps the memory of `routing`.
   bool next(Routing& routing);
 
-  // Looked at in seek().
+  // The check is read in seek().
   void stop_with(const StopCheck& check) { check_ = check; }
 
  private:
@@ -68,7 +68,7 @@ class TendonGenerator {
 
   std::vector<ShapeCursor> tendons_;  // the first depth_ are in use, the others lend their memory
   std::size_t depth_ = 0;
-  int open_fingers_ = 0;  // not yet on a tendon
+  int open_fingers_ = 0;  // number of fingers not yet on a tendon
   Numbering numbering_;
   Routing current_;
 

@@ -14,89 +14,132 @@ struct Kinds {
   std::uint64_t anchors;
 };
 
+std::uint64_t motor_ends(const PartSet& parts) {
+  return static_cast<std::uint64_t>(
+      std::count(parts.ends.begin(), parts.ends.end(), TokenKind::motor_end));
+}
+
 Kinds kinds_of(const PartSet& parts) {
-  return {parts.tips.size(), parts.joins.size(), parts.ends.size(), parts.anchored ? 1U : 0U};
+  return {parts.tips.size(), parts.joins.size(), times(parts.ends.size(), end_variants(parts)),
+          parts.anchored ? 1U : 0U};
+}
+
+// Roots without a finger that hang by one end.
+std::uint64_t hanging_ends(const PartSet& parts) {
+  std::uint64_t sum = motor_ends(parts);
+  for (const TokenKind end : parts.ends) {
+    for (const TokenKind beside : parts.beside) sum += may_hang(end, beside) ? 1 : 0;
+  }
+  return sum;
 }
 
 class Counter {
  public:
-  Counter(const PartSet& parts, int fingers, FingerIdentity identity)
-      : parts_(parts),
-        kinds_(kinds_of(parts)),
-        identity_(identity),
-        fingers_(fingers),
-        counts_{table(), table(), std::vector(static_cast<std::size_t>(fingers), table()),
-                table()} {}
+  Counter(const PartPowers& powers, int fingers, FingerIdentity identity)
+      : powers_(powers), identity_(identity), fingers_(fingers), blocks_(powers.front().blocks) {
+    const SizeTable table({fingers, blocks_});
+    const std::vector<SizeTable> by_fingers(static_cast<std::size_t>(fingers), table);
+    counts_.assign(powers.size(), {table, table, by_fingers, table});
+  }
 
   // Halves with k blocks hold branches with k blocks, and those halves with fewer.
-  TreeCounts count() {
-    for (int k = 0; k <= parts_.blocks; ++k) {
-      for (int n = 1; k > 0 && n <= fingers_; ++n) counts_.branches[{n, k}] = branches({n, k});
-      for (int n = 0; n <= fingers_; ++n) counts_.halves[{n, k}] = halves({n, k});
-      for (int n = 1; k > 0 && n <= fingers_; ++n) counts_.trees[{n, k}] = trees({n, k});
+  std::vector<TreeCounts> count() {
+    for (int k = 0; k <= blocks_; ++k) {
+      for_each_power(k > 0 ? 1 : fingers_ + 1, k, [&](std::size_t p, TreeSize size) {
+        counts_[p].branches[size] = branches(p, size);
+      });
+      for_each_power(
+          0, k, [&](std::size_t p, TreeSize size) { counts_[p].halves[size] = halves(p, size); });
+      for_each_power(k > 0 ? 1 : fingers_ + 1, k, [&](std::size_t p, TreeSize size) {
+        counts_[p].trees[size] = trees(p, size);
+      });
     }
     return counts_;
   }
 
  private:
-  SizeTable table() const { return SizeTable({fingers_, parts_.blocks}); }
+  template <typename Visit>
+  void for_each_power(int from_fingers, int blocks, Visit visit) const {
+    for (int n = from_fingers; n <= fingers_; ++n) {
+      for (std::size_t p = 0; p < powers_.size(); ++p) visit(p, TreeSize{n, blocks});
+    }
+  }
+
+  std::size_t twice(std::size_t p) const { return 2 * p % powers_.size(); }
 
   std::uint64_t arranged(int m, int of) const {
     return times(choices_of(m, of, identity_), orders_of(m, identity_));
   }
 
-  std::uint64_t halves(TreeSize size) const {
+  std::uint64_t halves(std::size_t p, TreeSize size) const {
     const auto [n, k] = size;
+    const SizeTable& branches = counts_[p].branches;
     if (k == 0) {
-      return n == 0 ? kinds_.ends : times(arranged(n, n), one_sided_strings(parts_, n));
+      return n == 0 ? kinds_of(powers_[p]).ends
+                    : times(arranged(n, n), one_sided_strings(powers_[p], n));
     }
-    std::uint64_t sum = counts_.branches[size];
+    std::uint64_t sum = branches[size];
     for (int m = 1; m < n; ++m) {
-      sum =
-          plus(sum, times(times(arranged(m, n), strings(parts_, m)), counts_.branches[{n - m, k}]));
+      sum = plus(sum, times(times(arranged(m, n), strings(powers_[p], m)), branches[{n - m, k}]));
     }
-    return sum;
+    return times(end_variants(powers_[p]), sum);
   }
 
-  std::uint64_t branches(TreeSize size) const {
-    const std::uint64_t sum = all_pairs(counts_.halves, 1, size - TreeSize{0, 1});
-    return size.blocks == 1 ? plus(sum, loops_through_pass(parts_, size.fingers, identity_)) : sum;
+  std::uint64_t branches(std::size_t p, TreeSize size) const {
+    const std::uint64_t sum =
+        all_pairs({counts_[p].halves}, {counts_[twice(p)].halves}, size - TreeSize{0, 1});
+    return size.blocks == 1 ? plus(sum, loops(p, size.fingers)) : sum;
   }
 
-  std::uint64_t trees(TreeSize size) {
+  // Through a pass.
+  std::uint64_t loops(std::size_t p, int m) const {
+    if (identity_ == FingerIdentity::distinct) {
+      return loops_through_pass(powers_[p], m, identity_);
+    }
+    const MirroredString string = mirrored(powers_[p], m, identity_);
+    return times(string.middles,
+                 unordered_pairs(string.halves, mirrored(powers_[twice(p)], m, identity_).halves));
+  }
+
+  std::uint64_t trees(std::size_t p, TreeSize size) {
     const auto [n, k] = size;
-    std::uint64_t sum = may_hang_on_motor(parts_) ? counts_.branches[size] : 0;
-    for (int m = 1; m < n; ++m) {
+    TreeCounts& counts = counts_[p];
+    std::uint64_t sum = times(hanging_ends(powers_[p]), counts.branches[size]);
+    for (int m = 0; m < n; ++m) {
       const TreeSize below{n - m, k};
-      sum = plus(
-          sum, times(times(arranged(m, n), one_sided_strings(parts_, m)), counts_.branches[below]));
-      std::uint64_t& two_tailed = counts_.two_tailed[static_cast<std::size_t>(m)][below];
-      two_tailed = count_two_tailed(m, below);
+      const std::uint64_t on_one_tail =
+          times(times(arranged(m, n), end_variants(powers_[p])), one_sided_strings(powers_[p], m));
+      if (m > 0) sum = plus(sum, times(on_one_tail, counts.branches[below]));
+      std::uint64_t& two_tailed = counts.two_tailed[static_cast<std::size_t>(m)][below];
+      two_tailed = count_two_tailed(p, m, below);
       sum = plus(sum, two_tailed);
     }
     return sum;
   }
 
-  std::uint64_t count_two_tailed(int m, TreeSize below) const {
-    const MirroredString string = mirrored(parts_, m, identity_);
+  std::uint64_t count_two_tailed(std::size_t p, int m, TreeSize below) const {
+    const MirroredString string = between_tails(powers_[p], m, identity_);
+    if (string.middles == 0) return 0;
+    const MirroredString mirror = between_tails(powers_[twice(p)], m, identity_);
     return times(times(choices_of(m, below.fingers + m, identity_), string.middles),
-                 all_pairs(counts_.branches, string.halves, below));
+                 all_pairs({counts_[p].branches, string.halves},
+                           {counts_[twice(p)].branches, mirror.halves}, below));
   }
 
-  std::uint64_t all_pairs(const SizeTable& table, std::uint64_t variants, TreeSize size) const {
+  std::uint64_t all_pairs(const PairSide& side, const PairSide& twice, TreeSize size) const {
     std::uint64_t sum = 0;
     SizePair split{{}, size};
     do {
-      sum = plus(sum, pairs(table, variants, split, identity_));
+      sum = plus(sum, pairs(side, twice, split, identity_));
     } while (next_pair(split));
     return sum;
   }
 
-  const PartSet& parts_;
-  Kinds kinds_;
+  const PartPowers& powers_;
   FingerIdentity identity_;
   int fingers_;
-  TreeCounts counts_;
+  int blocks_;
+  std::vector<TreeCounts> counts_;
 };
 
 }  // namespace
@@ -136,9 +179,20 @@ std::uint64_t loops_through_pass(const PartSet& parts, int m, FingerIdentity ide
   return times(string.middles, multichoose(string.halves, 2));
 }
 
-bool may_hang_on_motor(const PartSet& parts) {
-  return std::find(parts.ends.begin(), parts.ends.end(), TokenKind::motor_end) != parts.ends.end();
+MirroredString between_tails(const PartSet& parts, int m, FingerIdentity identity) {
+  if (m == 0) return {parts.beside.size(), 1};
+  MirroredString string = mirrored(parts, m, identity);
+  string.halves = times(string.halves, end_variants(parts));
+  return string;
 }
+
+bool may_hang(TokenKind end, TokenKind beside) {
+  return is_on_carriage(end) || is_on_carriage(beside);
+}
+
+bool may_hang_on_motor(const PartSet& parts) { return motor_ends(parts) > 0; }
+
+std::uint64_t PairSide::count(TreeSize size) const { return times(variants, table[size]); }
 
 bool next_pair(SizePair& split) {
   const TreeSize size{split.first.fingers + split.second.fingers,
@@ -153,25 +207,24 @@ bool next_pair(SizePair& split) {
   return true;
 }
 
-std::uint64_t pairs(const SizeTable& table, std::uint64_t variants, const SizePair& split,
+std::uint64_t pairs(const PairSide& side, const PairSide& twice, const SizePair& split,
                     FingerIdentity identity) {
   const auto [first, second] = split;
-  const std::uint64_t firsts = times(variants, table[first]);
-  const std::uint64_t seconds = times(variants, table[second]);
   if (identity == FingerIdentity::distinct) {
     if (first.fingers == 0) return 0;
     const std::uint64_t others =
         choices_of(first.fingers - 1, first.fingers + second.fingers - 1, identity);
-    return times(others, times(firsts, seconds));
+    return times(others, times(side.count(first), side.count(second)));
   }
-  if (first == second) return multichoose(firsts, 2);
+  if (first == second) return unordered_pairs(side.count(first), twice.count(first));
   const bool lesser = first.fingers != second.fingers ? first.fingers < second.fingers
                                                       : first.blocks < second.blocks;
-  return lesser ? times(firsts, seconds) : 0;
+  return lesser ? times(side.count(first), side.count(second)) : 0;
 }
 
-TreeCounts tree_counts(const PartSet& parts, int fingers, FingerIdentity identity) {
-  return Counter(parts, fingers, identity).count();
+std::vector<TreeCounts> tree_counts(const PartPowers& powers, int fingers,
+                                    FingerIdentity identity) {
+  return Counter(powers, fingers, identity).count();
 }
 
 }  // namespace reeve::search

@@ -1,22 +1,26 @@
-// How many trees of tendons a set of parts makes that floating blocks tie together.
+// Numbers of trees of tendons, tied together by floating blocks, that a set of parts makes.
 //
 // A tree hangs on a root, a tendon that passes no block. Every block has one tail, at an end of a
 // tendon above it, and one pass; below every block hangs a finger; no tendon passes two blocks.
-// With t tip kinds, J join kinds, e end kinds, x = 1 where tips may be anchored, n fingers, k
-// blocks:
+// With t tip kinds, J join kinds, b kinds of joins that may stand beside an end or a tail, v = 1 +
+// b, e end kinds times v, x = 1 where tips may be anchored, n fingers, k blocks:
 //   half     H(n,k)  of a tendon, from its pass outwards: m fingers, then an end, an anchored tip
 //                    or a tail. H(n,0) = (tJ)^(n-1) (x + te), H(0,0) = e;
-//                    for k > 0: C(n,k) + Σ_m t^m J^(m-1) C(n-m,k)
+//                    for k > 0: v C(n,k) + v Σ_m t^m J^(m-1) C(n-m,k)
 //   branch   C(n,k)  a block with all that is below it: the unordered pairs of halves with n
 //                    fingers and k-1 blocks, and for k = 1 the loops of n fingers and the pass
-//   tree     R(n,k)  k > 0: M-Y1 alone, C(n,k) if there is an M; one tail and an end or an
-//                    anchored tip, Σ_m (e t^m + x t^(m-1)) J^(m-1) C(n-m,k); or two tails with m
-//                    fingers between them, an unordered pair of branches, each with half of the
-//                    walk, about the bead in its middle
-// Unordered pairs of equals are counted by X(X+1)/2 (Burnside for the reversal). With distinct
+//   tree     R(n,k)  k > 0: M-Y1, or an end, a join and a tail of which not both are fixed to the
+//                    hand, C(n,k) each; one tail and an end or an anchored tip,
+//                    v Σ_m (e t^m + x t^(m-1)) J^(m-1) C(n-m,k); b joins between two tails, or
+//                    m fingers: an unordered pair of branches, each with half of the walk, about
+//                    the bead in its middle
+// Unordered pairs of equals are counted by (X² + X)/2 (Burnside for the reversal). With distinct
 // fingers nothing is its own reversal, so the first of a pair is the one with the least finger.
+// Where motors are renamed (counting.hpp), the X that stands alone counts what the renaming, done
+// twice, leaves as it is.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -65,9 +69,12 @@ class SizeTable {
   std::vector<std::uint64_t> counts_;
 };
 
-// What the numbers of fingers add: nothing where fingers are identical.
+// Factors for the numbers of fingers; 1 for identical fingers.
 std::uint64_t choices_of(int fingers, int of, FingerIdentity identity);
 std::uint64_t orders_of(int fingers, FingerIdentity identity);
+
+// Variants of an end or a tail: alone, or with one of the joins that may stand beside it.
+inline std::uint64_t end_variants(const PartSet& parts) { return 1 + parts.beside.size(); }
 
 // Strings of tips and joins through m fingers: f J f … f.
 std::uint64_t strings(const PartSet& parts, int m);
@@ -81,11 +88,21 @@ struct MirroredString {
 };
 MirroredString mirrored(const PartSet& parts, int m, FingerIdentity identity);
 
+// … with what may stand beside the two tails at its ends; for m = 0 a join between them.
+MirroredString between_tails(const PartSet& parts, int m, FingerIdentity identity);
+
 // Loops of m fingers and a pass.
 std::uint64_t loops_through_pass(const PartSet& parts, int m, FingerIdentity identity);
 
+// The parts that the powers of a renaming of the motors leave as they are, each as often as there
+// are such carriages: at [0] all of them, and behind the last again the first.
+using PartPowers = std::vector<PartSet>;
+
 // M-Y1 is a tendon; F-Y1 would be a pulley that is fixed.
 bool may_hang_on_motor(const PartSet& parts);
+// F-P-Y1 and M-T-Y1 are tendons; F-T-Y1 would be such a pulley. Likewise of each end in their order
+// and for each of them its joins.
+bool may_hang(TokenKind end, TokenKind beside);
 
 // The members of an unordered pair: with identical fingers the lesser size first, with distinct
 // ones the one that has the least finger.
@@ -95,18 +112,34 @@ struct SizePair {
 };
 // The splits of a size are Split{{}, size} and what this makes of it until it is false.
 bool next_pair(SizePair& split);
-// How many pairs of table[first] and table[second], each in so many variants.
-std::uint64_t pairs(const SizeTable& table, std::uint64_t variants, const SizePair& split,
+// One side of a pair: `variants` of each of table[size].
+struct PairSide {
+  const SizeTable& table;
+  std::uint64_t variants = 1;
+
+  std::uint64_t count(TreeSize size) const;
+};
+// Counts pairs with the two sizes of the split. `twice` counts those that a renaming of motors,
+// done twice, leaves unchanged.
+std::uint64_t pairs(const PairSide& side, const PairSide& twice, const SizePair& split,
                     FingerIdentity identity);
+inline std::uint64_t pairs(const PairSide& side, const SizePair& split, FingerIdentity identity) {
+  return pairs(side, side, split, identity);
+}
 
 struct TreeCounts {
   SizeTable halves;
   SizeTable branches;
-  // Roots with m fingers between two tails, [m], by the size of what hangs on both.
+  // Roots with m fingers between two tails, [m], or for [0] a join, by the size of what hangs on
+  // both.
   std::vector<SizeTable> two_tailed;
-  SizeTable trees;  // with a block at least
+  SizeTable trees;  // trees with at least one block
 };
 
-TreeCounts tree_counts(const PartSet& parts, int fingers, FingerIdentity identity);
+// Counts the trees that each power of the renaming leaves unchanged.
+std::vector<TreeCounts> tree_counts(const PartPowers& powers, int fingers, FingerIdentity identity);
+inline TreeCounts tree_counts(const PartSet& parts, int fingers, FingerIdentity identity) {
+  return tree_counts(PartPowers{parts}, fingers, identity).front();
+}
 
 }  // namespace reeve::search

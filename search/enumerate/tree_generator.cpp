@@ -9,7 +9,8 @@
 namespace reeve::search {
 namespace {
 
-// With tails for the branches, which get their numbers when the way to walk is settled.
+// Puts tails in place of the branches. They get their numbers when the walking direction is
+// settled.
 void join_halves(const SplitTendon& split, Tendon& tendon) {
   tendon.closed = split.closed;
   tendon.walk.clear();
@@ -250,7 +251,7 @@ void TreeGenerator::append_tree(const Span& span, std::size_t& tendon, int& bloc
   }
 }
 
-// Of as many fingers, a tendon precedes a tree, whose root has fewer of them.
+// A tendon precedes a tree of as many fingers, whose root has fewer of them.
 void TreeGenerator::write(Routing& routing) {
   routing.tendons.resize(list_.used + beside_.tendons.size());
   if (options_.identity == FingerIdentity::distinct) number_others();

@@ -60,8 +60,8 @@ class TreeGenerator {
   // Routings whose trees with blocks have this size in all.
   struct Cell {
     TreeSize size;
-    std::uint64_t sets = 0;     // of trees, on any of the fingers
-    std::uint64_t tendons = 0;  // routings of the other fingers
+    std::uint64_t sets = 0;     // number of sets of trees, on any of the fingers
+    std::uint64_t tendons = 0;  // number of routings of the other fingers
   };
 
   // Throws InputError if there are too many to count.
@@ -78,8 +78,8 @@ class TreeGenerator {
   // False when all have been given. Keeps the memory of `routing`.
   bool next(Routing& routing);
 
-  // In the order of the routings: a cell's sets follow by their indices, and with each the routings
-  // of the other fingers.
+  // Returns the cells in the order of the routings. A cell's sets follow by their indices, and with
+  // each the routings of the other fingers.
   const std::vector<Cell>& cells() const { return cells_; }
   // The routing of a cell's set of trees and of such a one, which the cell may not have; where
   // next() stands does not survive it.

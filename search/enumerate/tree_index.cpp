@@ -80,14 +80,21 @@ void TreeDecoder::append_to_end(int m, FingerSet& fingers, Digits& digits, Walk&
   if (m > 1) append_join(digits, walk);
   const std::uint64_t anchors = parts_.anchored ? 1 : 0;
   const std::uint64_t ends = parts_.ends.size();
-  const std::uint64_t kind = digits.take(anchors + parts_.tips.size() * ends);
+  const std::uint64_t with_end = parts_.tips.size() * ends;
+  const std::uint64_t kind = digits.take(anchors + with_end * end_variants(parts_));
   const int number = take_one(fingers, digits, identity_);
   if (kind < anchors) {
     walk.push_back(anchored_tip(number));
   } else {
-    walk.push_back(finger(number, parts_.tips[(kind - anchors) / ends]));
+    const std::uint64_t tip = (kind - anchors) % with_end / ends;
+    walk.push_back(finger(number, parts_.tips[tip]));
+    append_beside((kind - anchors) / with_end, walk);
     walk.push_back(plain(parts_.ends[(kind - anchors) % ends]));
   }
+}
+
+void TreeDecoder::append_beside(std::uint64_t variant, Walk& walk) const {
+  if (variant > 0) walk.push_back(plain(parts_.beside[variant - 1]));
 }
 
 void TreeDecoder::append_middle(int m, std::uint64_t kind, Walk& walk) const {
@@ -118,14 +125,18 @@ void TreeDecoder::decode_half(const TreeIndex& half, HalfTendon& tendon) const {
   Digits digits(half.index);
   FingerSet fingers = half.fingers;
   if (size == TreeSize{}) {
-    tendon.tokens.push_back(plain(parts_.ends[digits.rest()]));
+    const std::uint64_t end = digits.take(parts_.ends.size());
+    append_beside(digits.rest(), tendon.tokens);
+    tendon.tokens.push_back(plain(parts_.ends[end]));
     return;
   }
   if (size.blocks == 0) {
     append_to_end(size.fingers, fingers, digits, tendon.tokens);
     return;
   }
+  const std::uint64_t variant = digits.take(end_variants(parts_));
   if (digits.is_among(counts_.branches[size])) {
+    append_beside(variant, tendon.tokens);
     tendon.tail = TreeIndex{size, digits.rest(), fingers};
     return;
   }
@@ -133,13 +144,14 @@ void TreeDecoder::decode_half(const TreeIndex& half, HalfTendon& tendon) const {
   while (!digits.is_among(tailed_halves(m, size))) ++m;
   FingerSet own = take_some(fingers, m, digits, identity_);
   append_string(m, own, digits, tendon.tokens);
+  append_beside(variant, tendon.tokens);
   tendon.tail = TreeIndex{size - TreeSize{m, 0}, digits.rest(), fingers};
 }
 
 TreeDecoder::Pair TreeDecoder::decode_pair(const SizeTable& table, std::uint64_t variants,
                                            TreeSize size, FingerSet fingers, Digits& digits) const {
   SizePair split{{}, size};
-  while (!digits.is_among(pairs(table, variants, split, identity_))) next_pair(split);
+  while (!digits.is_among(pairs({table, variants}, split, identity_))) next_pair(split);
   const std::uint64_t firsts = variants * table[split.first];
   if (identity_ == FingerIdentity::identical && split.first == split.second) {
     std::uint64_t lesser = digits.rest();
@@ -200,23 +212,49 @@ void TreeDecoder::decode_branch(const TreeIndex& branch, SplitTendon& tendon) co
 
 void TreeDecoder::decode_two_tailed(int m, TreeSize below, FingerSet fingers, Digits& digits,
                                     SplitTendon& tendon) const {
-  const MirroredString string = mirrored(parts_, m, identity_);
+  const MirroredString string = between_tails(parts_, m, identity_);
   FingerSet own = take_some(fingers, m, digits, identity_);
-  if (identity_ == FingerIdentity::distinct) {
+  if (m == 0) {
+    append_beside(1 + digits.take(string.middles), tendon.middle);
+  } else if (identity_ == FingerIdentity::distinct) {
     append_string(m, own, digits, tendon.middle);
   } else {
     append_middle(m, digits.take(string.middles), tendon.middle);
   }
   Pair branches = decode_pair(counts_.branches, string.halves, below, fingers, digits);
   const auto append_half = [&](TreeIndex& branch, HalfTendon& half) {
-    if (identity_ == FingerIdentity::identical) {
-      append_mirrored(m, branch.index % string.halves, half.tokens);
-      branch.index /= string.halves;
-    }
+    Digits variant(branch.index % string.halves);
+    branch.index /= string.halves;
     half.tail = branch;
+    if (m == 0) return;
+    const std::uint64_t beside = variant.take(end_variants(parts_));
+    if (identity_ == FingerIdentity::identical) append_mirrored(m, variant.rest(), half.tokens);
+    append_beside(beside, half.tokens);
   };
   append_half(branches.first, tendon.left);
   append_half(branches.second, tendon.right);
+}
+
+// A root of an end and a tail, or of an end, a join and a tail.
+bool TreeDecoder::decode_hanging(const TreeIndex& tree, Digits& digits, SplitTendon& tendon) const {
+  const std::uint64_t branches = counts_.branches[tree.size];
+  const auto is_among = [&] {
+    if (!digits.is_among(branches)) return false;
+    tendon.right.tail = TreeIndex{tree.size, digits.rest(), tree.fingers};
+    return true;
+  };
+  if (may_hang_on_motor(parts_) && is_among()) {
+    tendon.left.tokens.push_back(motor_end());
+    return true;
+  }
+  for (const TokenKind end : parts_.ends) {
+    for (const TokenKind beside : parts_.beside) {
+      if (!may_hang(end, beside) || !is_among()) continue;
+      tendon.left.tokens.assign({plain(beside), plain(end)});
+      return true;
+    }
+  }
+  return false;
 }
 
 void TreeDecoder::decode_root(const TreeIndex& tree, SplitTendon& tendon) const {
@@ -224,17 +262,15 @@ void TreeDecoder::decode_root(const TreeIndex& tree, SplitTendon& tendon) const 
   const auto [n, k] = tree.size;
   Digits digits(tree.index);
   FingerSet fingers = tree.fingers;
-  if (may_hang_on_motor(parts_) && digits.is_among(counts_.branches[tree.size])) {
-    tendon.left.tokens.push_back(motor_end());
-    tendon.right.tail = TreeIndex{tree.size, digits.rest(), fingers};
-    return;
-  }
-  for (int m = 1; true; ++m) {
+  if (decode_hanging(tree, digits, tendon)) return;
+  for (int m = 0; true; ++m) {
     const TreeSize below{n - m, k};
     const std::uint64_t arranged = choices_of(m, n, identity_) * orders_of(m, identity_);
-    if (digits.is_among(arranged * one_sided_strings(parts_, m) * counts_.branches[below])) {
+    const std::uint64_t strings = end_variants(parts_) * one_sided_strings(parts_, m);
+    if (m > 0 && digits.is_among(arranged * strings * counts_.branches[below])) {
       FingerSet own = take_some(fingers, m, digits, identity_);
       append_to_end(m, own, digits, tendon.left.tokens);
+      append_beside(digits.take(end_variants(parts_)), tendon.right.tokens);
       tendon.right.tail = TreeIndex{below, digits.rest(), fingers};
       return;
     }

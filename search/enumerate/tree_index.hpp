@@ -1,8 +1,8 @@
-// From a number to a tendon of a tree: the sizes of tree_counts.hpp, read backwards.
+// Numbers trees of tendons and builds a tree from its number: tree_counts.hpp, read backwards.
 //
-// An index is a number of mixed radix: each choice takes its digit, the choices between sizes take
-// what lies before them off. Every index below the count of its size is another tree, and none
-// stands for two, so that a tree can be had at once from the middle of billions.
+// An index is a number of mixed radix. Each choice takes its digit; a choice between sizes first
+// subtracts the counts of the sizes before. Indices below the count of a size and its trees are one
+// to one, so a tree from the middle of billions is built at once.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ FingerSet take_least_and(FingerSet& set, int many, Digits& digits, FingerIdentit
 // … any one; as many ways as the set has fingers.
 int take_one(FingerSet& set, Digits& digits, FingerIdentity identity);
 
-// A tree, or a branch: a block with all that is below it.
+// A tree, or a branch: a block with everything below it.
 struct TreeIndex {
   TreeSize size;
   std::uint64_t index = 0;
@@ -73,12 +73,15 @@ class TreeDecoder {
   void append_finger(FingerSet& fingers, Digits& digits, Walk& walk) const;
   void append_string(int m, FingerSet& fingers, Digits& digits, Walk& walk) const;
   void append_to_end(int m, FingerSet& fingers, Digits& digits, Walk& walk) const;
+  // An end or a tail's `variant`: no join, or one of those that may stand beside it.
+  void append_beside(std::uint64_t variant, Walk& walk) const;
   void append_middle(int m, std::uint64_t kind, Walk& walk) const;
   void append_mirrored(int m, std::uint64_t index, Walk& walk) const;
   void append_loop(int m, FingerSet fingers, Digits& digits, Walk& walk) const;
   // Halves of this size with m fingers above a tail.
   std::uint64_t tailed_halves(int m, TreeSize size) const;
   void decode_half(const TreeIndex& half, HalfTendon& tendon) const;
+  bool decode_hanging(const TreeIndex& tree, Digits& digits, SplitTendon& tendon) const;
   void decode_two_tailed(int m, TreeSize below, FingerSet fingers, Digits& digits,
                          SplitTendon& tendon) const;
   Pair decode_pair(const SizeTable& table, std::uint64_t variants, TreeSize size, FingerSet fingers,

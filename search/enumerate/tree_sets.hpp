@@ -34,7 +34,7 @@ class TreeSets {
 
   SizeTable trees_;
   FingerIdentity identity_;
-  std::vector<TreeSize> sizes_;  // of which there are trees
+  std::vector<TreeSize> sizes_;  // sizes that have trees
   std::vector<SizeTable> sets_;  // identical: [i] of trees of sizes_[i] and those behind it
 };
 

@@ -10,6 +10,8 @@ namespace reeve::search {
 namespace {
 
 constexpr double low_tail = 0.05;
+constexpr int draws_at_once = 8;
+static_assert(ContactQuantileFinder::draws % draws_at_once == 0);
 // Stands for the logarithm of nothing: far below that of any tension, and still a number.
 constexpr double log_of_nothing = -600;
 
@@ -50,10 +52,18 @@ void ContactQuantileFinder::read(const Network& network, const TensionState& sta
   logs.push_back(log_of(work));
 }
 
-void ContactQuantileFinder::add_contact(std::size_t contact) {
+// Some draws after the others, so that their sums stay in registers.
+void ContactQuantileFinder::draw_logs() {
   for (std::size_t i = 0; i < base_.size(); ++i) {
-    const double slope = (more_[i] - less_[i]) / 2;
-    if (slope != 0) drawn_[i] += slope * z_[contact];
+    drawn_[i].resize(static_cast<Eigen::Index>(draws));
+    for (Eigen::Index d = 0; d < drawn_[i].size(); d += draws_at_once) {
+      Eigen::Array<double, draws_at_once, 1> sum;
+      sum.setConstant(base_[i]);
+      for (const Slope& slope : slopes_[i]) {
+        sum += slope.value * z_[slope.contact].segment<draws_at_once>(d);
+      }
+      drawn_[i].segment<draws_at_once>(d) = sum;
+    }
   }
 }
 
@@ -62,9 +72,8 @@ void ContactQuantileFinder::add_grasp(const Network& network, Mechanics& nominal
                                       const WeightedGrasp& grasp, const Solve& solve) {
   read(network, solve(nominal, grasp.grasp, false), base_);
   if (drawn_.size() < base_.size()) drawn_.resize(base_.size());
-  for (std::size_t i = 0; i < base_.size(); ++i) {
-    drawn_[i].setConstant(static_cast<Eigen::Index>(draws), base_[i]);
-  }
+  if (slopes_.size() < base_.size()) slopes_.resize(base_.size());
+  for (std::vector<Slope>& slopes : slopes_) slopes.clear();
   for (std::size_t k = 0; k < deviations.size(); ++k) {
     const double phi = nominal.phi[k];
     const double decay = nominal.decay[k];
@@ -78,8 +87,12 @@ void ContactQuantileFinder::add_grasp(const Network& network, Mechanics& nominal
     solve_at(1 - deviations[k], less_);
     nominal.phi[k] = phi;
     nominal.decay[k] = decay;
-    add_contact(k);
+    for (std::size_t i = 0; i < base_.size(); ++i) {
+      const double slope = (more_[i] - less_[i]) / 2;
+      if (slope != 0) slopes_[i].push_back({k, slope});
+    }
   }
+  draw_logs();
   const std::size_t strands = base_.size() - 1;
   efficiency_ += grasp.weight * drawn_[strands].exp();
   // Uniformity has no value if there are no strands, or if all are slack.

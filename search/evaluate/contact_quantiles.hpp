@@ -49,12 +49,20 @@ class ContactQuantileFinder {
   void read(const Network& network, const TensionState& state, std::vector<double>& logs) const;
   void add_grasp(const Network& network, Mechanics& nominal, const std::vector<double>& deviations,
                  const WeightedGrasp& grasp, const Solve& solve);
-  void add_contact(std::size_t contact);
   void draw_contacts(std::size_t contacts);
+  // Draws the logarithms of one grasp from their values and slopes.
+  void draw_logs();
   double low_quantile(const Draws& values);
 
-  std::vector<Draws> z_;      // of each contact
-  std::vector<Draws> drawn_;  // of each logarithm
+  // A contact's z_k adds `value` times z_k to a logarithm.
+  struct Slope {
+    std::size_t contact;
+    double value;
+  };
+
+  std::vector<Draws> z_;                    // one for each contact
+  std::vector<Draws> drawn_;                // one for each logarithm
+  std::vector<std::vector<Slope>> slopes_;  // likewise, but for those that are 0
   std::vector<double> base_;
   std::vector<double> more_;
   std::vector<double> less_;

@@ -29,7 +29,7 @@ TallyValue value_of(const TreeSums& moving, const TreeSums& jammed) {
   return value;
 }
 
-// As with others += state, without keeping the sum.
+// Returns value_of(others + state) without keeping the sum.
 TallyValue value_beside(const TreeSums& others, const TreeSums& state) {
   if (state.jams) return value_of(others, state);
   StrandTally strands;
@@ -75,11 +75,11 @@ std::vector<Objective> with_terms(std::vector<Objective> wanted, const Score& sc
 
 constexpr std::array of_parts{Objective::sheaths, Objective::pulleys, Objective::knots,
                               Objective::blocks, Objective::parts};
-// Of grasps, and known from what each tree sums up.
+// Objectives of grasps that follow from the sums of the trees.
 constexpr std::array of_sums{Objective::uniformity_mean, Objective::uniformity_worst,
                              Objective::efficiency_mean, Objective::efficiency_worst};
 
-// Of sums in another order, and what values are rounded to.
+// Covers sums in another order and the rounding of values.
 constexpr double estimate_margin = 1e-9;
 
 bool contains(const auto& objectives, Objective objective) {
@@ -216,7 +216,7 @@ bool DecidingEvaluator::combine(const WeightedGrasp& grasp, GraspOutcome& outcom
   return std::isnormal(motor);
 }
 
-// As of DesignEvaluator.
+// Returns the same value as DesignEvaluator.
 double DecidingEvaluator::travel() const {
   double strands = 0;
   double motor_sides = 0;
@@ -297,6 +297,13 @@ ObjectiveValues DecidingEvaluator::evaluate(const Routing& routing) {
   const bool combined = known_ && combine(routing);
   compute_objectives(combined ? outcome_ : whole_.outcome(routing, extent_), wanted_, values);
   if (scored_) add_score(score_, values);
+  return values;
+}
+
+ObjectiveValues DecidingEvaluator::part_values(const Routing& routing) {
+  ObjectiveValues values{};
+  outcome_.parts = parts(expand(routing));
+  compute_objectives(outcome_, of_parts_, values);
   return values;
 }
 

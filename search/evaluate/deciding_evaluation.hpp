@@ -44,27 +44,28 @@ struct OutlinedPerformance {
 
 class PerformanceOutliner {
  public:
-  // Of grasps that hold one finger at most.
+  // The grasps must hold one finger at most.
   explicit PerformanceOutliner(const GraspSet& grasps);
 
-  // Nothing where a figure leaves the range of a double, or there is no strand.
+  // Returns nothing if a value leaves the range of a double, or if there is no strand.
   std::optional<OutlinedPerformance> outlined(const std::vector<TreeSpan>& spans,
                                               const std::vector<const TreeOutline*>& trees);
 
  private:
   struct Weight {
     bool is_asked = false;
-    double share = 0;  // of all grasps
+    double share = 0;  // share of all grasps
   };
 
-  // What each tree adds to, no finger held. False where one of them jams so.
+  // For each tree, adds up the sums of the other trees with no finger held. False if one of them
+  // then jams.
   bool add_up_others(const std::vector<const TreeOutline*>& trees);
 
-  std::vector<Weight> weights_;  // of no finger held, of finger 1, …
+  std::vector<Weight> weights_;  // [held finger]; 0: no finger held
   std::vector<TreeSums> others_;
 };
 
-// Between these are the values that evaluating would give.
+// Bounds on the values that evaluate() would return.
 struct Estimate {
   ObjectiveValues at_best{};
   ObjectiveValues at_worst{};
@@ -79,14 +80,17 @@ class DecidingEvaluator {
   // Throws OutOfRange where the model has no tensions.
   ObjectiveValues evaluate(const Routing& routing);
 
-  // Nothing where routings are not put together from trees, or more is wanted than uniformity,
-  // efficiency and parts.
+  // Returns the wanted objectives that count parts, which need no tensions; the others are 0.
+  ObjectiveValues part_values(const Routing& routing);
+
+  // Returns nothing if routings are not put together from trees, or if more is wanted than
+  // uniformity, efficiency and parts.
   std::optional<Estimate> estimate(const Routing& routing);
 
   bool combines() const { return known_.has_value(); }
   // Trees solved so far; 0 where routings are solved as a whole.
   std::uint64_t trees_solved() const { return known_ ? known_->solved() : 0; }
-  // As of DesignEvaluator.
+  // Returns the same number as DesignEvaluator.
   std::size_t unconverged() const { return whole_.unconverged(); }
 
  private:
@@ -107,16 +111,16 @@ class DecidingEvaluator {
   bool scored_ = false;
   bool compares_fingers_ = false;
   bool estimates_ = false;
-  std::vector<Objective> of_parts_;  // of those that are wanted
+  std::vector<Objective> of_parts_;  // wanted objectives that count parts
   GraspSet grasps_;
   DesignEvaluator whole_;
   std::optional<KnownTrees> known_;
   PerformanceOutliner outliner_;
 
-  // Of one routing.
+  // State of the current routing.
   std::vector<TreeSpan> spans_;
   const std::vector<const SolvedTrees*>* trees_ = nullptr;
-  std::vector<SolvedTree> states_;  // of its trees, in one grasp
+  std::vector<SolvedTree> states_;  // states of its trees in one grasp
   DesignOutcome outcome_;
 };
 

@@ -146,6 +146,15 @@ const DesignOutcome& DesignEvaluator::outcome(const Routing& routing,
   return outcome_;
 }
 
+bool DesignEvaluator::has_tensions(const Routing& routing) {
+  try {
+    find_outcome(routing, {false, false, false, false, false});
+  } catch (const OutOfRange&) {
+    return false;
+  }
+  return true;
+}
+
 // A seized contact splits it.
 const Network& DesignEvaluator::moving_network() const {
   return model_solver_ ? model_solver_->network() : network_;

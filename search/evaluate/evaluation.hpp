@@ -25,8 +25,8 @@
 
 namespace reeve::search {
 
-// What is worked out besides the pull and what follows from it at no cost; objectives that need
-// what is left out stay at 0.
+// Selects the calculations besides the pull and its free by-products. Objectives that need a
+// calculation left out stay at 0.
 struct EvaluationScope {
   bool release = true;     // return friction; a second tension solve in each grasp
   bool indicators = true;  // core/indicators.hpp, and a score made of them
@@ -37,10 +37,10 @@ struct EvaluationScope {
   friend bool operator==(const EvaluationScope&, const EvaluationScope&) = default;
 };
 
-// What these objectives need, the score that of its terms.
+// Returns the scope that these objectives need; the score needs that of its terms.
 EvaluationScope scope_for(const std::vector<Objective>& objectives, const Score& score);
 
-// Whether a tension solve with this model can fail to converge at all.
+// True if a tension solve with this model can fail to converge at all.
 bool may_not_converge(const Model& model);
 
 // Keeps its memory: evaluating routing after routing allocates nothing in the steady state.
@@ -52,15 +52,18 @@ class DesignEvaluator {
   DesignEvaluator(const Model& model, GraspSet grasps, Score score = authors_score(),
                   std::optional<PartPrices> prices = std::nullopt);
 
-  // For who evaluates many routings of the same tendons: solves each tree of them once, where model
-  // and grasps allow it. The figures stay the same, bit for bit.
+  // Solves each tree of tendons once, if model and grasps allow it. This helps if many routings
+  // share trees. The values stay the same, bit for bit.
   void share_trees();
 
   // The outcome is valid until the next call. Throws OutOfRange that names routing and grasp where
   // the model has no tensions.
   const DesignOutcome& outcome(const Routing& routing, const EvaluationScope& scope = {});
 
-  // Whether the hardware has a hand; routings with fingers that it does not know have none.
+  // True if the model has tensions in all grasps.
+  bool has_tensions(const Routing& routing);
+
+  // True if the hardware has a hand. Routings with fingers that it does not know have none.
   bool has_hand() const { return hand_.has_value(); }
 
   ObjectiveValues evaluate(const Routing& routing, const EvaluationScope& scope = {});
@@ -71,7 +74,7 @@ class DesignEvaluator {
   // Solves so far that did not converge: friction that depends on the tension, and forces that eat
   // nearly all of it. Their figures are then approximate.
   std::size_t unconverged() const { return unconverged_; }
-  // Whether a solve can fail to converge at all.
+  // True if a solve can fail to converge at all.
   bool may_not_converge() const { return model_solver_.has_value(); }
 
  private:
@@ -87,12 +90,12 @@ class DesignEvaluator {
   ContactQuantiles contact_quantiles();
 
   std::shared_ptr<const Model> model_;  // stays in place for the solver if this moves
-  // Only where exponents or contacts are others than the hardware says; costs several solves.
+  // Set only if exponents or contacts differ from the hardware file; costs several solves.
   std::optional<ModelSolver> model_solver_;
   bool needs_word_ = false;
   std::size_t unconverged_ = 0;
   std::optional<SharedStates> shared_;
-  bool is_shared_ = false;  // the routing at hand
+  bool is_shared_ = false;  // true for the current routing
   MechanicsBuilder builder_;
   std::optional<Hand> hand_;
   GraspSet grasps_;
@@ -101,14 +104,14 @@ class DesignEvaluator {
   Network network_;
   Mechanics mechanics_;
   TensionSolver solver_;
-  Kinematics kinematics_;  // of travel and stroke alone
+  Kinematics kinematics_;  // used for travel and stroke only
   ClosingAlike closing_alike_;
-  double given_up_equivalent_ = 0;  // of the routing at hand, if indicators are asked for
+  double given_up_equivalent_ = 0;  // value of the current routing, if indicators are asked for
   Motion motion_;
   JamFinder jam_finder_;
   ContactQuantileFinder contact_finder_;
-  std::vector<double> deviations_;  // of the contacts
-  std::string word_;                // if it is needed
+  std::vector<double> deviations_;  // σ of each contact
+  std::string word_;                // set if it is needed
   TensionState state_;
   DesignOutcome outcome_;
 };

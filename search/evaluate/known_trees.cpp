@@ -72,7 +72,7 @@ void KnownTrees::outline(const Routing& routing, const TreeSpan& span, Place& pl
   if (!tendon_sums_.find(routing, span, place.states.outline)) solve(routing, span, place);
 }
 
-// Nothing where all places of this hash are of this routing.
+// Returns nothing if this routing uses all places of this hash.
 KnownTrees::Place* KnownTrees::find(const Routing& routing, const TreeSpan& span) {
   const std::size_t set = hash(span.key) & (table_.size() / ways - 1);
   Place* const first = &table_[set * ways];

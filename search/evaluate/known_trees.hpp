@@ -23,30 +23,29 @@
 
 namespace reeve::search {
 
-// What a tree of tendons does by itself, in each grasp of its own fingers.
+// Solved states of a tree of tendons by itself, for each grasp of its own fingers.
 //
-// Trees on one carriage share a scale and nothing else: with t_i the tensions that a tree has alone
-// (TensionSolver::solve_relative), those of a routing are
+// Trees on one carriage share a scale and nothing else. Let t_i be the tensions of a tree alone
+// (TensionSolver::solve_relative). The tensions of a routing are
 //
 //   T_i = t_i / Σ t_j,  j: all motor-side segments
 //
-// and where a tree jams, those that do not have t_i = 0 and nothing moves. So what is solved once
-// for a tree holds for every routing that it is part of.
-// Arrays in the order of the network.
+// If a tree jams, the trees that do not jam have t_i = 0 and nothing moves. A tree solved once thus
+// serves every routing that contains it. Arrays have the order of the network.
 struct SolvedTree {
   bool jams = false;
   bool in_range = true;
   std::span<const double> motor_side;  // t_i
   std::span<const double> strand;      // t_i
-  std::span<const double> closing;     // of the strands; 0 if it jams
+  std::span<const double> closing;     // closing of each strand; 0 if the tree jams
 };
 
 struct SolvedTrees {
   TreeOutline outline;
-  std::vector<double> length;               // of all segments
-  std::vector<std::uint8_t> strand_finger;  // from 0
+  std::vector<double> length;               // length of each segment
+  std::vector<std::uint8_t> strand_finger;  // finger of each strand, from 0
   std::size_t motor_sides = 0;
-  double moving_sets = 0;  // of its held fingers, with which it does not jam
+  double moving_sets = 0;  // number of sets of its held fingers with which it does not jam
 
   // 0: no finger held; f: finger f.
   SolvedTree in_state(std::size_t held) const;
@@ -57,7 +56,7 @@ struct SolvedTrees {
   std::vector<double> numbers_;  // state by state: the three spans
 };
 
-// Of hardware on which all fingers are alike. Keeps its memory.
+// Requires hardware on which all fingers are alike. Keeps its memory.
 class TreeSolver {
  public:
   explicit TreeSolver(const Hardware& hardware) : builder_(hardware) {}
@@ -98,8 +97,8 @@ class KnownTrees {
 
   struct Place {
     TreeKey key;
-    std::uint64_t asked = 0;  // when it was last; 0: it is empty
-    bool solved = false;      // or else it has an outline alone
+    std::uint64_t asked = 0;  // number of the last request; 0: empty
+    bool solved = false;      // false: it has an outline only
     SolvedTrees states;
   };
 

@@ -43,7 +43,7 @@ double motor_force(const DesignOutcome& design) {
   return -worst(design.grasps, [](const GraspOutcome& g) { return -g.grip.motor_force_N; });
 }
 
-// At most: the whole force over the whole stroke.
+// Upper bound: greatest force over the whole stroke.
 double motor_power(const DesignOutcome& design) {
   const double force = motor_force(design);
   if (!(force > 0)) return 0;
@@ -76,8 +76,7 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
                                                 [](const GraspOutcome& g) { return g.jams; }));
      }},
     {Objective::jams_all, "jams_all", "jams_all", "", "jams all", "grasps", Better::lower, 0, 5,
-     false,
-     "sets of held fingers, of all but that of all fingers, in which the carriage is blocked",
+     false, "the same over all grasps, except all fingers held",
      [](const DesignOutcome& d) { return d.jams_all; }},
     {Objective::sheaths, "sheaths", "sheaths", "", "sheaths", "parts", Better::lower, 0, 6, false,
      "sheaths between hand and motor: one for each M, two for each P",
@@ -100,38 +99,39 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
      0, 1},
     {Objective::adaptability, "adaptability", "adaptability", "", "adaptability", "1",
      Better::higher, 2, 1, true,
-     "10 less the difference of the finger pulls over all pull, mean over the grasps",
+     "10 x (1 - difference of the finger pulls / their sum), mean over the grasps",
      [](const DesignOutcome& d) {
        return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.adaptability; });
      },
      0, 10},
     {Objective::torsional_balance, "torsional_balance", "torsional_balance", "", "balance", "1",
      Better::higher, 2, 1, true,
-     "10 less the greatest difference between the strands of a finger, likewise",
+     "10 x (1 - greatest difference of a finger's strands / sum of all), mean over the grasps",
      [](const DesignOutcome& d) {
        return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.torsional_balance; });
      },
      0, 10},
     {Objective::reliability, "reliability", "reliability", "", "reliability", "1", Better::higher,
-     2, 1, true, "10 less the greatest friction force at any contact, likewise",
+     2, 1, true,
+     "10 x (1 - greatest friction force at a contact / sum of all strands), mean over the grasps",
      [](const DesignOutcome& d) {
        return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.reliability; });
      },
      std::nullopt, 10},
     {Objective::authors_efficiency, "authors_efficiency", "authors_efficiency", "",
      "auth. efficiency", "1", Better::higher, 2, 1, true,
-     "10 times work over motor work if all strands closed alike, likewise",
+     "10 times work over motor work if all strands closed alike, mean over the grasps",
      [](const DesignOutcome& d) {
        return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.authors_efficiency; });
      }},
     {Objective::transmission, "transmission", "transmission", "", "transmission", "1",
-     Better::higher, 2, 1, true, "10 times the mean strand tension over motor tension, likewise",
+     Better::higher, 2, 1, true,
+     "10 times the mean strand tension over motor tension, mean over the grasps",
      [](const DesignOutcome& d) {
        return mean(d.grasps, [](const GraspOutcome& g) { return g.indicators.transmission; });
      }},
     {Objective::score, "score", "score", "", "score", "1", Better::higher, 2, 0, true,
-     "weighted mean of objectives; unless others are asked for, of the five before it", nullptr,
-     std::nullopt},
+     "weighted mean of objectives (default: the five above)", nullptr, std::nullopt},
     {Objective::blocks, "blocks", "blocks", "", "blocks", "parts", Better::lower, 0, 8, true,
      "floating blocks and bars at the hand, which move as the fingers close",
      [](const DesignOutcome& d) { return static_cast<double>(d.parts.blocks + d.parts.bars); }},
@@ -150,14 +150,12 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
        return static_cast<double>(p.sheaths + p.pulleys + p.knots + p.blocks + p.bars);
      }},
     {Objective::cost, "cost", "cost", "", "cost", "1", Better::lower, 2, 2, true,
-     "what the parts cost, in the unit of the prices",
-     [](const DesignOutcome& d) { return d.cost; }},
+     "cost of the parts, in the unit of the prices", [](const DesignOutcome& d) { return d.cost; }},
     {Objective::uniformity_p5, "uniformity_p5", "uniformity_p5", "", "uniformity, 5 %", "1",
-     Better::higher, 3, 1, true,
-     "mean uniformity that 5 % of hands stay below, since no two contacts are alike",
+     Better::higher, 3, 1, true, "5 % quantile of the mean uniformity where contacts differ",
      [](const DesignOutcome& d) { return d.where_contacts_scatter.uniformity; }, 0, 1},
     {Objective::efficiency_p5, "efficiency_p5", "efficiency_p5", "", "efficiency, 5 %", "1",
-     Better::higher, 3, 1, true, "mean efficiency, likewise",
+     Better::higher, 3, 1, true, "5 % quantile of the mean efficiency where contacts differ",
      [](const DesignOutcome& d) { return d.where_contacts_scatter.efficiency; }, 0, 1},
     {Objective::motor_force, "motor_force", "motor_force", "", "nominal motor", "N", Better::lower,
      1, 1, true, "motor tension at which every finger presses with its wanted force in every grasp",
@@ -172,13 +170,13 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
      [](const DesignOutcome& d) { return worst(d.grasps, fingertip_force); }, 0, std::nullopt,
      true},
     {Objective::stroke, "stroke", "stroke", "", "stroke", "mm", Better::lower, 1, 1, true,
-     "carriage travel from the open hand until it is closed or the carriage is blocked",
+     "carriage travel from the open hand to the closed one, or until the carriage is blocked",
      [](const DesignOutcome& d) { return d.hand.stroke_mm; }, 0, std::nullopt, true},
     {Objective::closure, "closure", "closure", "", "closure", "1", Better::higher, 3, 1, true,
-     "share of its range that the finger has closed then that has closed least",
+     "least share of its range that a finger closes in this stroke",
      [](const DesignOutcome& d) { return d.hand.closure; }, 0, 1, true},
     {Objective::motor_power, "motor_power", "motor_power", "", "power", "W", Better::lower, 2, 1,
-     true, "motor force times mean speed of the carriage: at most needed, against a soft object",
+     true, "motor force times mean speed of the carriage: the most that a soft object asks for",
      motor_power, 0, std::nullopt, true},
 }};
 
@@ -203,7 +201,7 @@ std::vector<std::string> names_for_objectives() {
 
 double on_grid(double value) {
   constexpr double grid = 1e10;
-  return std::round(value * grid) / grid + 0.0;  // which makes 0 of -0
+  return std::round(value * grid) / grid + 0.0;  // + 0.0 makes 0 of -0
 }
 
 const std::array<ObjectiveRow, objective_count>& objective_table() { return table; }
@@ -238,8 +236,9 @@ Objective parse_objective(const std::string& name, const std::string& option) {
   throw InputError({.where = option,
                     .what = "unknown objective",
                     .value = name,
-                    .expected = fmt::format("one of {}{}", fmt::join(objective_names(), ", "),
-                                            did_you_mean(name, names_for_objectives())),
+                    .expected = fmt::format(
+                        "one of {}, or for means {}{}", fmt::join(objective_names(), ", "),
+                        fmt::join(mean_families, ", "), did_you_mean(name, names_for_objectives())),
                     .form = InputForm::unknown});
 }
 

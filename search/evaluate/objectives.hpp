@@ -1,5 +1,4 @@
-// What a design is judged by: one table of objectives, each with name, unit, direction and
-// function.
+// Objectives of a design: one table with name, unit, direction and function of each.
 #pragma once
 
 #include <array>
@@ -62,14 +61,14 @@ inline double& value(ObjectiveValues& values, Objective objective) {
 
 enum class Better : std::uint8_t { higher, lower };
 
-// What a grasp contributes: a weight and the performance in it.
+// Contribution of one grasp: a weight and the performance in it.
 struct GraspOutcome {
   double weight = 1;
   bool jams = false;
   Performance pull;
   double round_trip_efficiency = 0;
   Indicators indicators;
-  GripDemand grip{};  // with a hand
+  GripDemand grip{};  // set if the hardware has a hand
 };
 
 // The 5 % quantiles of the means over the grasps where no two contacts are alike
@@ -79,9 +78,9 @@ struct ContactQuantiles {
   double efficiency = 0;
 };
 
-// Of a hand; 0 without one.
+// Outcome for the whole hand; 0 without one.
 struct HandOutcome {
-  double stroke_mm = 0;  // infinite where no finger can close
+  double stroke_mm = 0;  // infinite if no finger can close
   double closure = 0;
   double close_s = 0;
 };
@@ -93,8 +92,7 @@ struct DesignOutcome {
   // close: without blocks, strands / motor-side segments. 0 without strands, infinite where the
   // carriage is blocked all the same.
   double travel = 0;
-  // Of its parts; infinite where nobody says what they cost. (Not NaN: such values would not even
-  // equal themselves.)
+  // Cost of the parts; infinite without prices. (NaN would not equal itself.)
   double cost = std::numeric_limits<double>::infinity();
   // The number of sets of held fingers that jam, of all but that of all fingers
   // (core/tension/jamming.hpp).
@@ -110,18 +108,18 @@ struct ObjectiveRow {
   const char* name;     // uniformity_mean
   const char* family;   // uniformity
   const char* part;     // "mean", "worst", or ""
-  const char* heading;  // of a narrow column
+  const char* heading;  // heading of a narrow column
   const char* unit;
   Better better;
-  int decimals;          // in tables; counts have none
-  unsigned dispensable;  // the greater, the sooner a narrow window does without it; 0: never
-  bool on_demand;        // in tables for people only where it is asked for
+  int decimals;          // places in tables; counts have none
+  unsigned dispensable;  // the greater, the sooner a narrow window drops it; 0: never
+  bool on_demand;        // true if tables for people show it only on request
   const char* meaning;
-  double (*compute)(const DesignOutcome&);  // of all but the score, which is made of the others
-  // What is possible, whatever the routing and its friction.
+  double (*compute)(const DesignOutcome&);  // null for the score, which is made of the others
+  // Range of possible values, whatever the routing and its friction.
   std::optional<double> least = 0;
   std::optional<double> greatest{};
-  bool of_hand = false;  // there only if the hardware has one; 0 otherwise
+  bool of_hand = false;  // true if only hardware with a hand has it; 0 otherwise
 
   bool is_count() const { return decimals == 0; }
 };
@@ -129,9 +127,9 @@ struct ObjectiveRow {
 const std::array<ObjectiveRow, objective_count>& objective_table();
 const ObjectiveRow& row(Objective objective);
 
-// Whether the values are those of a hardware with a hand, of which a stroke tells.
+// True if the values come from hardware with a hand: the stroke is then above 0.
 inline bool has_hand(const ObjectiveValues& values) { return value(values, Objective::stroke) > 0; }
-// Whether there is such a value at all.
+// True if the objective exists for this hardware.
 inline bool is_there(const ObjectiveRow& row, const ObjectiveValues& values) {
   return !row.of_hand || has_hand(values);
 }

@@ -19,7 +19,7 @@ struct ScoreTerm {
 };
 
 struct Score {
-  std::vector<ScoreTerm> terms;  // at least one, each objective once, none of them the score
+  std::vector<ScoreTerm> terms;  // at least one, no objective twice, not the score itself
 };
 
 Score authors_score();

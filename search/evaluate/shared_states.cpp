@@ -16,7 +16,7 @@ constexpr std::size_t most_shared_trees = 8192;
 bool have_like_fingers(const Model& model) {
   const Hardware hardware = possible_hardware(model);
   return hardware.fingers.empty() && hardware.contacts.empty() && hardware.spools.empty() &&
-         !hardware.contact_draw && !hand(hardware);
+         hardware.tendon.own.empty() && !hardware.contact_draw && !hand(hardware);
 }
 
 }  // namespace
@@ -27,7 +27,8 @@ bool routings_share_states(const Model& model) {
 
 bool hold_one_finger_at_most(const GraspSet& grasps) {
   return std::all_of(grasps.begin(), grasps.end(), [](const WeightedGrasp& grasp) {
-    return std::popcount(grasp.grasp.held) <= 1 && grasp.grasp.carriages.given == 0;
+    return std::popcount(grasp.grasp.held) <= 1 && grasp.grasp.carriages.given == 0 &&
+           grasp.grasp.locked == 0;
   });
 }
 
@@ -78,7 +79,7 @@ bool SharedStates::set_routing(const Routing& routing) {
   return true;
 }
 
-// Which state each tree is in, and whether one of them jams.
+// Finds the state of each tree, and whether one of them jams.
 bool SharedStates::mark(Grasp grasp, Direction direction, TensionState& state) {
   state.jams = false;
   state.in_range = true;

@@ -18,8 +18,8 @@
 
 namespace reeve::search {
 
-// Whether what a tree does is the same in every routing: all fingers are alike, and no effect of
-// the model depends on tensions or contacts.
+// True if a tree behaves alike in every routing: all fingers are alike, and no effect of the model
+// depends on tensions or contacts.
 bool routings_share_states(const Model& model);
 
 // True also only if no grasp gives the travels of carriages.
@@ -30,10 +30,10 @@ std::size_t held_in_tree(const TreeSpan& span, Grasp grasp);
 
 class SharedStates {
  public:
-  // Of a model and grasps that allow it.
+  // The model and the grasps must allow sharing.
   explicit SharedStates(const Hardware& hardware) : builder_(hardware) {}
 
-  // False where it has to be solved as a whole: it is one tree, or split_into_trees says so.
+  // False if the routing must be solved as a whole: it is one tree, or split_into_trees says so.
   bool set_routing(const Routing& routing);
 
   // Jams, tensions and closing, in a grasp that holds one finger at most. False where a tension
@@ -45,12 +45,12 @@ class SharedStates {
     bool jams = false;
     bool in_range = true;
   };
-  // In each state one after the other: the tensions of all segments, relative to each other, and
-  // the closing of the fingers.
+  // A tree with, state after state, the relative tensions of all segments and the closing of the
+  // fingers.
   struct Tree {
     std::size_t segments = 0;
     std::size_t fingers = 0;
-    std::vector<std::size_t> motor_sides;  // of the segments
+    std::vector<std::size_t> motor_sides;  // indices of motor-side segments
     std::vector<Mark> marks;
     std::vector<double> numbers;
   };
@@ -70,12 +70,12 @@ class SharedStates {
   Routing part_;
   std::unordered_map<TreeKey, Tree, HashKey> known_;
 
-  // Of the routing.
+  // State of the current routing.
   std::vector<TreeSpan> spans_;
   std::vector<const Tree*> trees_;
   std::size_t segments_ = 0;
   std::size_t fingers_ = 0;
-  std::vector<std::size_t> states_;  // of its trees, in the grasp
+  std::vector<std::size_t> states_;  // states of its trees in the grasp
 };
 
 }  // namespace reeve::search

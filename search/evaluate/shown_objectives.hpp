@@ -1,5 +1,5 @@
-// Which objectives are shown to people: all but those that are shown on demand only, and of these
-// the chosen ones, those that a constraint names, and what the score is made of where it counts.
+// Objectives shown to people: all that are not marked on demand, the chosen ones, those that a
+// constraint names, and the terms of the score if it counts.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace reeve::search {
 
-// In the order of their table.
+// Returns them in the order of their table.
 std::vector<Objective> shown_objectives(const Order& order, const Score& score,
                                         const std::vector<Constraint>& constraints = {});
 

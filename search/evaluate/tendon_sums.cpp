@@ -18,7 +18,7 @@ TendonSums::TendonSums(const Hardware& hardware)
   sheath_ = law(hardware.sheath);
 }
 
-// As core/network expands tokens, with the parts of core/performance.
+// Expands a token as core/network does, with the parts of core/performance.
 void TendonSums::read_token(const Tendon& tendon, std::size_t i, PartCount& parts) {
   const Token& token = tendon.walk[i];
   switch (token.kind) {
@@ -163,7 +163,7 @@ void TendonSums::make_chain(std::size_t first, int held, double closing) {
     const Link& link = links_[k];
     if (link.slip == 0) {
       segments_.push_back(group);
-      // From the first piece of the group to its last one, which is in it already.
+      // This contact joins the first piece of the group to its last one, which is in it already.
       contacts_.push_back(tension > 1 ? ChainContact{1 / tension, Slide::to_right}
                                       : ChainContact{tension, Slide::to_left});
       segments_.push_back({0, 0});
@@ -191,7 +191,7 @@ void TendonSums::solve_from(std::size_t first, int held, double closing) {
   }
 }
 
-// As TensionSolver: opened at a still contact in whose cone the tensions then lie.
+// Opens the loop as TensionSolver does: at a still contact in whose cone the tensions then lie.
 void TendonSums::solve_loop(std::size_t still, int held, double closing) {
   const std::size_t n = pieces_.size();
   for (std::size_t k = 0; k < n; ++k) {

@@ -43,13 +43,13 @@ class TendonSums {
   // A contact, between the piece of the same place and the next.
   struct Link {
     const Law* law;
-    int slip = 0;  // in units of 1/c
+    int slip = 0;  // slip in units of 1/c
   };
   // A segment.
   struct Piece {
     double length = 0;
     bool motor_side = false;
-    int finger = 0;  // of a strand, from 1; otherwise 0
+    int finger = 0;  // finger of a strand, from 1; otherwise 0
   };
 
   bool read(const Tendon& tendon, int fingers_before, PartCount& parts);
@@ -72,21 +72,21 @@ class TendonSums {
   Law bearing_;
   Law sheath_;
 
-  // Of one tendon.
+  // State of one tendon.
   bool closed_ = false;
   int motor_sides_ = 0;
   int strands_ = 0;
-  std::array<int, max_fingers + 1> strands_of_{};  // of finger 1, …
+  std::array<int, max_fingers + 1> strands_of_{};  // [finger], from 1
   std::vector<Piece> pieces_;
-  std::vector<Link> links_;  // of a loop, the last leads back to the first piece
+  std::vector<Link> links_;  // the last link of a loop leads back to the first piece
 
-  // In one state.
+  // Working memory for one state.
   struct WeightedSlip {
     int slip;
     double weight;
   };
   std::vector<WeightedSlip> slips_;
-  std::vector<double> tension_;  // of the pieces
+  std::vector<double> tension_;  // tension of each piece
   ElasticChain chain_;
   std::vector<ChainSegment> segments_;
   std::vector<ChainContact> contacts_;

@@ -74,6 +74,7 @@ bool read_tree(const Routing& routing, TreeSpan& span) {
   int first_block = 0;
   for (std::size_t t = span.begin; t < span.end; ++t) {
     for (const Token& token : routing.tendons[t].walk) {
+      if (token.angle.is_given()) return false;
       key.put(digit(token));
       if (is_of_finger(token.kind)) {
         if (token.finger != span.fingers_before + ++span.fingers) return false;

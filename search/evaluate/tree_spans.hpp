@@ -14,13 +14,13 @@
 
 namespace reeve::search {
 
-// What a state adds to a routing (known_trees.hpp has the t_i): a few sums, enough to know that it
-// is far from what is kept.
+// Sums that a tree's state adds to a routing (t_i: known_trees.hpp). They suffice to see that a
+// design is far from the kept ones.
 struct TreeSums {
   bool jams = false;
   bool in_range = true;
   double motor = 0;     // Σ t_j of the motor-side segments
-  StrandTally strands;  // of the t_i
+  StrandTally strands;  // tally of the t_i
 
   bool has_strands() const { return strands.least <= strands.most; }
   TreeSums& operator+=(const TreeSums& other);
@@ -28,7 +28,7 @@ struct TreeSums {
 
 struct TreeOutline {
   PartCount parts;
-  std::vector<TreeSums> sums;  // with no finger held, and with each
+  std::vector<TreeSums> sums;  // [0]: no finger held; [f]: finger f held
 };
 
 // Four bits a token and four more for a block's number.
@@ -44,15 +44,15 @@ struct TreeKey {
 std::uint64_t hash(const TreeKey& key);
 
 struct TreeSpan {
-  std::size_t begin = 0;  // of the routing's tendons
+  std::size_t begin = 0;  // index into the routing's tendons
   std::size_t end = 0;
   int fingers_before = 0;
   int fingers = 0;
   TreeKey key;
 };
 
-// False where it has a bar, where the fingers are not numbered in the order of the word, or where
-// a tree is too large for its key. Keeps the memory of `spans`.
+// False where it has a bar or gives a wrap angle, where the fingers are not numbered in the order
+// of the word, or where a tree is too large for its key. Keeps the memory of `spans`.
 bool split_into_trees(const Routing& routing, std::vector<TreeSpan>& spans);
 
 // The tree by itself: fingers and blocks from 1 on. Keeps the memory of `tree`.

@@ -204,7 +204,7 @@ ClassCounts power(const PartClasses& classes, const ClassCounts& counts, int exp
   return result;
 }
 
-// Class by class: how many of its things are among the so many.
+// Goes class by class and chooses how many of the `many` things are of this class.
 ClassCounts multisets(const PartClasses& classes, const ClassCounts& counts, int many) {
   const auto length = static_cast<std::size_t>(many);
   std::vector<ClassCounts> ways(length + 1, no_counts(classes));

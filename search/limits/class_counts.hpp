@@ -1,4 +1,4 @@
-// How many things there are of each class of parts (part_classes.hpp).
+// Numbers of things in each class of parts (part_classes.hpp).
 #pragma once
 
 #include <cstdint>
@@ -28,11 +28,11 @@ void divide(ClassCounts& counts, std::uint64_t by);
 // One of the first and one of the second.
 ClassCounts product(const PartClasses& classes, const ClassCounts& a, const ClassCounts& b);
 ClassCounts shifted(const PartClasses& classes, const ClassCounts& counts, PartClass by);
-// The same thing so many times.
+// Counts the same thing taken `times` times.
 ClassCounts repeated(const PartClasses& classes, const ClassCounts& counts, int times);
-// So many things, each chosen for itself.
+// Counts tuples of `exponent` things, each chosen independently.
 ClassCounts power(const PartClasses& classes, const ClassCounts& counts, int exponent);
-// Multisets of so many things.
+// Counts multisets of `many` things.
 ClassCounts multisets(const PartClasses& classes, const ClassCounts& counts, int many);
 // Sums that some of these things complete to a wanted one.
 ClassSet completed_sums(const PartClasses& classes, const ClassCounts& counts,
@@ -40,13 +40,13 @@ ClassSet completed_sums(const PartClasses& classes, const ClassCounts& counts,
 // Trees as they stand among others: PartClasses::of_tree.
 ClassCounts of_trees(const PartClasses& classes, const ClassCounts& trees);
 
-// How many tendons without blocks there are of each class of parts: the formulas of
-// enumerate/counting.hpp for identical fingers, with a count for each class in place of numbers.
-// Of tendons through k fingers up to their symmetries, [k]; [0] is none.
+// Returns the number of tendons without blocks in each class of parts, by the formulas of
+// enumerate/counting.hpp for identical fingers. Element [k] has the tendons through k fingers up to
+// their symmetries; [0] is empty.
 std::vector<ClassCounts> shape_counts(const PartClasses& classes, const PartSet& parts,
                                       int fingers);
 
-// Of multisets of tendons: sets[largest][r] pass r fingers in all, none more than `largest`.
+// Counts multisets of tendons: sets[largest][r] pass r fingers in all, none more than `largest`.
 std::vector<std::vector<ClassCounts>> shape_sets(const PartClasses& classes,
                                                  const std::vector<ClassCounts>& shapes);
 

@@ -1,5 +1,6 @@
-// Those routings of a set of parts that are within limits on their parts, at the places that they
-// have among all (enumerate/generator.hpp), and how many lie beyond the limits between two places.
+// The routings of a set of parts within limits on their parts, at their places in the whole
+// enumeration (enumerate/generator.hpp). Also counts the routings beyond the limits between two
+// places.
 #pragma once
 
 #include <cstdint>
@@ -33,8 +34,8 @@ class LimitedTrees {
   // False when all have been given. Keeps the memory of `routing`.
   bool next(Routing& routing, std::uint64_t& place);
 
-  // Of a canonical routing with blocks, whatever its parts, if it is among all. Looks through those
-  // whose trees have as many parts.
+  // Returns the place of a canonical routing with blocks, whatever its parts, if it is in the
+  // enumeration. Searches the routings whose trees have as many parts.
   std::optional<std::uint64_t> place_of(const Routing& routing);
 
   std::uint64_t steps() const { return steps_ + beside_.steps(); }
@@ -44,9 +45,9 @@ class LimitedTrees {
  private:
   struct LimitedCell {
     NumberedParts::Sort sets = 0;
-    NumberedParts::Goal goal = 0;  // of the sets
-    int others = 0;                // fingers beside the trees
-    std::uint64_t begin = 0;       // the index of its first routing
+    NumberedParts::Goal goal = 0;  // limit on the sets
+    int others = 0;                // number of fingers beside the trees
+    std::uint64_t begin = 0;       // index of its first routing
   };
 
   bool next_set();
@@ -57,21 +58,21 @@ class LimitedTrees {
   TreeGenerator trees_;
   TreeParts parts_;
   LimitedTendons beside_;
-  std::vector<LimitedCell> cells_;  // as the generator's
+  std::vector<LimitedCell> cells_;  // parallel to the generator's cells
 
   std::size_t cell_ = 0;
   std::uint64_t next_set_ = 0;
-  std::optional<NumberedParts::Found> set_;  // that is being listed
-  bool alone_ = false;                       // … all of whose fingers are on its trees, unread
+  std::optional<NumberedParts::Found> set_;  // the set being listed
+  bool alone_ = false;                       // true if its trees have all fingers and it is unread
   Routing of_others_;
   std::uint64_t steps_ = 0;
 };
 
 class LimitedGenerator {
  public:
-  // For as many of the first constraints as parts decide; fingers must be identical.
+  // Takes as many of the first constraints as parts decide. Fingers must be identical.
   LimitedGenerator(const GeneratorOptions& options, const std::vector<Constraint>& constraints);
-  // Its parts point at each other.
+  // Not copied: members point at each other.
   LimitedGenerator(const LimitedGenerator&) = delete;
   LimitedGenerator& operator=(const LimitedGenerator&) = delete;
 
@@ -82,17 +83,17 @@ class LimitedGenerator {
   // False when all have been given. Keeps the memory of `routing`.
   bool next(Routing& routing, std::uint64_t& place);
 
-  // Of the routings at places below this one, by their verdicts (part_classes.hpp): within the
-  // limits, not actuated, and for each constraint those that it is the first to reject.
+  // Counts the routings at places below this one by verdict (part_classes.hpp): within the limits,
+  // not actuated, and for each constraint those that it is the first to reject.
   std::vector<std::uint64_t> verdicts_before(std::uint64_t place);
   std::size_t verdict(const Routing& routing) const {
     return classes_.verdict(classes_.of(routing));
   }
 
-  // Of a canonical routing, whatever its parts, if it is among all.
+  // Returns the place of a canonical routing, whatever its parts, if it is in the enumeration.
   std::optional<std::uint64_t> place_of(const Routing& routing);
 
-  // Tendons and sets of trees that were looked at, given or not.
+  // Returns the number of tendons and sets of trees examined, given or not.
   std::uint64_t steps() const { return tendons_.steps() + (trees_ ? trees_->steps() : 0); }
 
   void stop_with(const StopCheck& check) {
@@ -108,8 +109,8 @@ class LimitedGenerator {
   std::uint64_t total_ = 0;
 };
 
-// How many of the routings of a set of parts that hang on the motor meet constraints on their
-// parts, by formula: of the classes of parts (part_classes.hpp) that tendons and trees make.
+// Numbers of routings that hang on the motor and meet constraints on their parts. Computed by
+// formula from the classes of parts (part_classes.hpp) of tendons and trees.
 struct LimitedCounts {
   std::uint64_t meeting = 0;     // all constraints
   std::uint64_t one_tendon = 0;  // … with a single tendon, or tree of tendons

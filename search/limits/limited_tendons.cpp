@@ -101,7 +101,7 @@ bool LimitedTendons::can_be_filled(const Level& level) const {
                            .test(level.sum);
 }
 
-// At this shape, or the next one that leaves a way on.
+// Goes to the first shape, from this one on, that can still be completed. False if there is none.
 bool LimitedTendons::settle(Level& level) {
   do {
     level.sum = classes_.plus(level.base, level.shape.parts);
@@ -160,7 +160,7 @@ void LimitedTendons::choose(Level& level, std::uint64_t& index) {
   index -= all - from(level.shape, level.open);
 }
 
-// To the routing of this index, within limits or not.
+// Goes to the routing of this index, within limits or not.
 void LimitedTendons::descend(std::uint64_t index) {
   for (at_.depth = 0; open() > 0; ++at_.depth) {
     Level& level = at_.levels[at_.depth];

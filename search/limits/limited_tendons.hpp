@@ -22,13 +22,14 @@ namespace reeve::search {
 
 class LimitedTendons {
  public:
-  // Of up to so many fingers; with one tendon, of just these. Keeps the classes.
+  // Lists routings of up to this many fingers; if `one_tendon`, of exactly this many. Keeps a
+  // reference to the classes.
   LimitedTendons(const PartClasses& classes, const PartSet& parts, int fingers, bool one_tendon,
                  std::uint64_t longest_list = ListedShapes::default_longest);
 
   std::uint64_t total(int fingers) const;
   const ClassCounts& counts(int fingers) const;
-  // Of those with an index below this one.
+  // Counts the routings with an index below this one.
   ClassCounts counts_before(int fingers, std::uint64_t index);
 
   // The next call of next() gives the first routing from this index on that is within the limits
@@ -37,13 +38,13 @@ class LimitedTendons {
   // False when all have been given. Keeps the memory of `routing`.
   bool next(Routing& routing, std::uint64_t& place);
 
-  // Of a canonical routing, whatever its parts, if it is among all.
+  // Returns the place of a canonical routing, whatever its parts, if it is in the enumeration.
   std::optional<std::uint64_t> place_of(const Routing& routing);
 
-  // Tendons that were looked at.
+  // Returns the number of tendons examined.
   std::uint64_t steps() const { return steps_ + listed_.steps(); }
 
-  // Looked at wherever it goes from tendon to tendon.
+  // The check is read on each step from tendon to tendon.
   void stop_with(const StopCheck& check) {
     check_ = check;
     listed_.stop_with(check);
@@ -51,12 +52,12 @@ class LimitedTendons {
 
  private:
   struct Level {
-    ListedShape first;  // that it could have been
+    ListedShape first;  // first possible choice
     ListedShape shape;
-    int open = 0;                        // fingers that it and those behind it fill
-    PartClass base = PartClasses::none;  // of what is chosen before
-    PartClass sum = PartClasses::none;   // … and of itself
-    std::uint64_t before = 0;            // routings that begin alike, up to this choice
+    int open = 0;                        // fingers for this tendon and those after it
+    PartClass base = PartClasses::none;  // class of the tendons chosen before
+    PartClass sum = PartClasses::none;   // base plus this tendon
+    std::uint64_t before = 0;            // number of routings that begin alike, up to this choice
 
     int rest() const { return open - shape.size; }
   };

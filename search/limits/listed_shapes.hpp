@@ -18,13 +18,13 @@ namespace reeve::search {
 struct ListedShape {
   int size = 0;
   std::uint64_t index = 0;
-  PartClass parts = PartClasses::none;  // as of_tree
-  ShapeCursor cursor;                   // where there is no list
+  PartClass parts = PartClasses::none;  // class of the shape as a tree (PartClasses::of_tree)
+  ShapeCursor cursor;                   // used if there is no list
 };
 
 class ListedShapes {
  public:
-  // Of some 200 bytes each.
+  // Number of entries; each takes some 200 bytes.
   static constexpr std::uint64_t default_longest = 16384;
 
   // Keeps the classes, which have to outlive it. counts[size]: how many shapes there are.
@@ -41,14 +41,14 @@ class ListedShapes {
   void advance_to(ListedShape& shape, std::uint64_t index);
   const Tendon& tendon(const ListedShape& shape) const;
 
-  // Of all the shapes of this size before that index, which is at most their count. Where there is
-  // no list, from the last shape on that was passed.
+  // Counts the shapes of this size before that index, which is at most their number. Without a
+  // list, counting starts from the last shape passed.
   ClassCounts counts_before(int size, std::uint64_t index);
 
-  // From shape to shape, where there is no list, but for those of next().
+  // Steps from shape to shape without a list; those of next() are not counted.
   std::uint64_t steps() const { return steps_; }
 
-  // Looked at wherever it goes from shape to shape.
+  // The check is read on each step from shape to shape.
   void stop_with(const StopCheck& check) { check_ = check; }
 
  private:
@@ -64,7 +64,7 @@ class ListedShapes {
   };
   struct Walk {
     std::vector<Passed> milestones;  // the first at the first shape
-    // Of the shapes before `next`, as far as somebody has stepped without a gap.
+    // Counts of the shapes before `next`, as far as the walk has no gap.
     std::uint64_t next = 0;
     ClassCounts counts;
   };
@@ -80,7 +80,7 @@ class ListedShapes {
   PartSet parts_;
   std::vector<std::uint64_t> counts_;
   std::vector<List> lists_;  // [size]; empty: none
-  std::vector<Walk> walks_;  // [size]; empty: nobody has walked
+  std::vector<Walk> walks_;  // [size]; empty before the first walk
   std::uint64_t steps_ = 0;
   StopCheck check_;
 };

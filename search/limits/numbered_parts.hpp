@@ -58,7 +58,7 @@ class NumberedParts {
   struct Node {
     Form form{};
     std::vector<Sort> of;
-    std::vector<PartClass> parts;  // of kinds; or what is added
+    std::vector<PartClass> parts;  // class of each kind, or the class that is added
     int many = 0;
     std::uint64_t size = 0;
     ClassCounts counts;
@@ -81,9 +81,9 @@ class NumberedParts {
   std::optional<Found> first_of_both(Sort sort, std::uint64_t from, PartClass beside, Goal goal);
   std::optional<Found> first_of_choice(const Choice& choice, std::uint64_t from, PartClass beside,
                                        Goal goal);
-  // That something of this sort completes to the goal.
+  // Returns the sums that something of this sort completes to the goal.
   Goal completed_by(Sort sort, Goal goal);
-  // Of trees by themselves, if they stand beside these parts.
+  // Returns the goal for trees by themselves that stand beside these parts.
   Goal of_trees_alone(PartClass beside, Goal goal);
   bool can_meet(Sort sort, PartClass beside, Goal goal);
 

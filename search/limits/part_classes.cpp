@@ -68,7 +68,7 @@ struct CountedSum {
   std::size_t greatest = 0;
 };
 
-// Of the first `many` constraints.
+// Returns the sums that the first `many` constraints bound.
 std::vector<CountedSum> sums_for(const std::vector<Constraint>& constraints, std::size_t many,
                                  const GeneratorOptions& generator) {
   std::vector<CountedSum> sums;

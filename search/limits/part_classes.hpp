@@ -1,12 +1,11 @@
-// How much of what constraints bound a routing's parts make, no finer than the constraints ask.
+// Classes of routings by the sums of parts that constraints bound, no finer than these need.
 //
 // An objective that counts parts is a sum over tokens and loops, each of which adds 0 or more. A
-// class holds such sums, each up to the least whole number above all bounds on it: whatever is
-// greater meets and fails the same constraints. So classes add up as sums do,
+// class holds such sums, each up to the least whole number c above all bounds on it. Greater sums
+// meet and fail the same constraints. Classes therefore add up as sums do,
 //   min(a + b, c) = min(min(a, c) + min(b, c), c),
-// and what a part of a routing and the rest of it come to follows from the class of each. Beside
-// the sums stands a mark: in the class of a tendon or tree that it hangs on the motor, in that of a
-// routing that one of its trees does not.
+// and the class of a routing follows from the classes of its pieces. A class also has a mark. For a
+// tendon or tree it says that it hangs on the motor; for a routing, that one of its trees does not.
 #pragma once
 
 #include <bitset>
@@ -25,22 +24,22 @@ using PartClass = std::uint16_t;
 inline constexpr std::size_t most_classes = 256;
 using ClassSet = std::bitset<most_classes>;
 
-// What becomes of a routing: its constraint c, from 0, is the first that it fails.
+// Verdicts on a routing. failing(c): constraint c, from 0, is the first that it fails.
 inline constexpr std::size_t within_limits = 0;
 inline constexpr std::size_t not_actuated = 1;
 constexpr std::size_t failing(std::size_t c) { return c + 2; }
 
-// Whether an objective is a number of parts, tendon by tendon.
+// True if the objective is a number of parts that adds up over tendons.
 bool counts_parts(Objective objective);
 
-// How many of the first of these constraints parts alone decide, as far as classes last: one behind
-// another that they do not decide cannot tell whether it is the first to fail.
+// Returns how many of the first constraints parts alone decide, as far as classes last. Constraints
+// behind one that parts do not decide cannot tell whether they are the first to fail.
 std::size_t decided_by_parts(const std::vector<Constraint>& constraints,
                              const GeneratorOptions& generator);
 
 class PartClasses {
  public:
-  // For as many of the first constraints as parts decide.
+  // Takes as many of the first constraints as parts decide.
   PartClasses(const std::vector<Constraint>& constraints, const GeneratorOptions& generator);
 
   std::size_t constraints() const { return constraints_.size(); }
@@ -50,16 +49,16 @@ class PartClasses {
   PartClass plus(PartClass a, PartClass b) const {
     return sums_[std::size_t{a} * count_ + std::size_t{b}];
   }
-  // Of a tendon's part: the mark says that it is on the carriage.
+  // Class of a tendon's part. The mark says that it is on the carriage.
   PartClass of(const Token& token) const;
   PartClass of_loop() const { return loop_; }
   PartClass of(const Tendon& tendon) const;
-  // Of a tree among others: the mark says that it does not hang on the motor.
+  // Class of a tree among others. The mark says that it does not hang on the motor.
   PartClass of_tree(PartClass tree) const { return static_cast<PartClass>(tree ^ 1U); }
-  // Of a routing without blocks, or tree by tree of one with blocks.
+  // Class of a routing without blocks, or of one tree of a routing with blocks.
   PartClass of(const Routing& routing) const;
 
-  // within_limits, not_actuated or failing(c): of a whole routing.
+  // Returns within_limits, not_actuated or failing(c) for a whole routing.
   std::size_t verdict(PartClass whole) const { return verdicts_[whole]; }
   const ClassSet& admitted_classes() const { return admitted_; }
 
@@ -67,7 +66,7 @@ class PartClasses {
   struct Sum {
     Objective objective{};
     std::size_t greatest = 0;
-    std::size_t radix = 1;  // of the sum in the number of a class
+    std::size_t radix = 1;  // weight of the sum in a class number
   };
 
   PartClass of(const PartCount& parts, bool mark) const;

@@ -49,7 +49,7 @@ class TreeParts {
   const PartClasses& classes_;
   PartSet parts_;
   NumberedParts numbered_;
-  std::vector<TreeSize> sizes_;  // of which there are trees, as in TreeSets
+  std::vector<TreeSize> sizes_;  // sizes that have trees, as in TreeSets
   Sort nothing_ = 0;             // there is none of it
   Sort empty_ = 0;               // there is one of it, without parts
   Sizes strings_;

@@ -49,7 +49,7 @@ SweepCounter Archive::counter() const {
   return SweepCounter(std::move(values));
 }
 
-// What came since the last time, and then both together.
+// Sorts the entries added since the last call, then merges them with the others.
 void Archive::sort_entries() {
   const auto precedes = [this](const Place& a, const Place& b) {
     if (!equal(a->goodness, b->goodness)) return greater(a->goodness, b->goodness);
@@ -65,8 +65,8 @@ void Archive::compact() {
   SweepCounter better = counter();
   sort_entries();
   const auto enough = static_cast<Eigen::Index>(keep_);
-  // In two steps: a resize from something to something would, without memory, leave a matrix behind
-  // that is freed twice.
+  // Resizes in two steps: if memory runs out, a direct resize would leave a matrix that is freed
+  // twice.
   guards_.resize(0, 0);
   guards_.resize(static_cast<Eigen::Index>(entries_.size()),
                  static_cast<Eigen::Index>(order_.objectives.size()));
@@ -107,7 +107,7 @@ void Archive::place_guards() {
   }
 }
 
-// Of all sets of `keep` guards, those that are good in their weakest objective span a deep corner.
+// Guards that are good in their weakest objective span a deep corner.
 void Archive::place_corner() {
   const auto keep = static_cast<Eigen::Index>(keep_);
   if (guards_.rows() < keep) return;

@@ -19,7 +19,7 @@
 
 namespace reeve::search {
 
-// A design that is held, and how many that equal it were left out for it.
+// A kept design, and the number of equal ones that were left out for it.
 struct ArchivedDesign {
   Design design;
   std::uint64_t equals_left_out = 0;
@@ -35,8 +35,7 @@ class Archive {
 
   void add(Design design, std::uint64_t equals_left_out = 0);
 
-  // All that another archive must be given to hold what this one would, of its own designs and
-  // these.
+  // Returns the designs that another archive needs to rank these and its own as this one would.
   std::vector<ArchivedDesign> members();
 
   struct Content {
@@ -44,7 +43,7 @@ class Archive {
     std::uint64_t front_equals_left_out = 0;
   };
   Content content() &;
-  Content content() &&;  // which needs no second copy of the designs
+  Content content() &&;  // needs no second copy of the designs
 
   std::size_t held() const { return entries_.size(); }
 
@@ -55,7 +54,7 @@ class Archive {
     std::uint64_t equals_left_out = 0;
   };
 
-  // Where an entry is, which is many times as large. Copied with it.
+  // Owning pointer to an entry, which is much larger. A copy copies the entry.
   class Place {
    public:
     explicit Place(Entry entry) : entry_(std::make_unique<Entry>(std::move(entry))) {}
@@ -88,8 +87,8 @@ class Archive {
   std::size_t keep_;
   std::vector<Place> entries_;  // the first compacted_ are sorted and thinned out
   std::size_t compacted_ = 0;
-  GoodnessMatrix guards_;  // of the compacted entries
-  Staircase staircase_;    // of the guards, where it can hold them …
+  GoodnessMatrix guards_;  // values of the compacted entries
+  Staircase staircase_;    // staircase of the guards, if it can hold them …
   bool climbs_ = false;
   Goodness corner_;  // … otherwise `keep` guards dominate whatever is worse in everything
 };

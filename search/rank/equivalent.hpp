@@ -20,7 +20,7 @@ namespace reeve::search {
 // place 1 the next is at 3.
 std::vector<std::size_t> places(const std::vector<RankedDesign>& ranked, const Order& order);
 
-// With a tube wherever a bearing could be one; canonical.
+// Returns the canonical routing with a tube in place of every bearing that could be one.
 Routing without_bearings(Routing routing, FingerIdentity identity);
 
 // Two designs are alike if they are equal, and would be one routing with tubes in place of all

@@ -1,7 +1,8 @@
-// Why nothing is left: how near designs come to the constraints that none of them meets together.
+// Distances to constraints that no design meets together.
 //
-// Of each constraint the nearest values on both sides of its bound, among the designs that fail it:
-// of all of these, and of those that fail it alone, so that loosening this one would let them in.
+// For each constraint, the nearest values on both sides of its bound are found, twice: among all
+// designs that fail it, and among those that fail only it. Loosening this constraint would admit
+// the latter.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +24,7 @@ struct Nearest {
 };
 
 struct ConstraintReach {
-  bool met = false;  // by a design that fails another constraint
+  bool met = false;  // met by a design that fails another constraint
   Nearest of_all;
   Nearest of_those_that_meet_the_others;
 };

@@ -31,7 +31,7 @@ double greatest_loss(const ObjectiveValues& values, const Ladder& ladder) {
   return greatest;
 }
 
-// To the front of what stands so far; those that it dominates leave it.
+// Adds a design to the front unless it is dominated, and removes those that it dominates.
 void admit(const Design& design, const std::vector<Objective>& objectives,
            std::vector<Design>& front) {
   const Goodness worth = goodness(design.values, objectives);

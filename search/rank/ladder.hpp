@@ -37,13 +37,13 @@ struct LadderOptions {
 };
 
 struct Rung {
-  double at_most = 0;  // of the measure; what the design has
+  double at_most = 0;  // limit on the measure; the design has this value
   Design design;
   double kept = 1;
 };
 
-// The best designs with floating blocks and without, for somebody who would rather have nothing
-// move at the hand.
+// The best designs with and without floating blocks, for users who prefer no moving parts at the
+// hand.
 template <typename Each>
 struct BlockChoice {
   Each without;
@@ -52,15 +52,15 @@ struct BlockChoice {
 
 struct Ladder {
   LadderOptions options;
-  std::vector<Objective> objectives;            // by which designs are ranked
-  std::vector<Rung> rungs;                      // the least of the measure first
-  Design first;                                 // of the ranking
+  std::vector<Objective> objectives;            // objectives of the ranking
+  std::vector<Rung> rungs;                      // sorted by the measure, least first
+  Design first;                                 // first of the ranking
   std::optional<Design> affordable;             // unless the first has as little of the measure
   std::optional<std::size_t> knee;              // a rung
   std::optional<BlockChoice<Design>> choice{};  // only where there are designs of both kinds
 };
 
-// What spans the fronts, and the score where that orders within them.
+// Returns the objectives of the front, and the score if it orders within fronts.
 std::vector<Objective> ranked_by(const Order& order);
 
 // Infinite if the first has 0 and this is worse.
@@ -69,7 +69,7 @@ double loss(Objective objective, const ObjectiveValues& values, const ObjectiveV
 // True if a design loses no more than `within` in any ranked objective.
 bool is_within(const ObjectiveValues& values, const Ladder& ladder);
 
-// Of candidates as LadderArchive keeps them, in any order.
+// Takes candidates as LadderArchive keeps them, in any order.
 Ladder ladder(std::vector<Design> candidates, const Design& first, const Order& order,
               const LadderOptions& options);
 

@@ -42,20 +42,19 @@ std::vector<Eigen::Index> descending(const GoodnessMatrix& matrix) {
     }
     return a < b;
   };
-  // What an archive holds is.
+  // The rows of an archive are sorted already.
   if (!std::is_sorted(order.begin(), order.end(), precedes)) {
     std::sort(order.begin(), order.end(), precedes);
   }
   return order;
 }
 
-// With at most two objectives a front is as good as the best second value that it has seen: rows
-// come with falling first values, so whatever has at least the second value, and is no equal,
-// dominates.
+// Returns the fronts for at most two objectives. Rows come with falling first values: a front
+// dominates a row if its best second value is no less and the row is no equal.
 std::vector<int> fronts_by_sweep(const GoodnessMatrix& matrix) {
   const std::vector<Eigen::Index> order = descending(matrix);
   std::vector<double>
-      best;  // of each front, negated: ascending, since front k dominates front k + 1
+      best;  // [front]: best second value, negated; ascending, since front k dominates k + 1
   std::vector<int> result(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     int& front = result[static_cast<std::size_t>(order[i])];

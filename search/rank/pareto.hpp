@@ -21,12 +21,12 @@ using GoodnessMatrix = Eigen::ArrayXXd;
 
 Goodness goodness(const ObjectiveValues& values, const std::vector<Objective>& objectives);
 
-// Of at most two objectives; 0 if there is one.
+// Returns the second of at most two values; 0 if there is one.
 double second_value(const Goodness& goodness);
 
 bool dominates(const Goodness& a, const Goodness& b);
 
-// How many of the first `rows` rows dominate `candidate`; stops counting at `enough`.
+// Counts the first `rows` rows that dominate `candidate`; stops at `enough`.
 Eigen::Index count_dominators(const GoodnessMatrix& matrix, Eigen::Index rows,
                               const Goodness& candidate, Eigen::Index enough);
 

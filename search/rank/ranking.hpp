@@ -46,10 +46,10 @@ double part_total(const ObjectiveValues& values);
 
 double uniformity_times_efficiency(const ObjectiveValues& values);
 
-// By what rule 2 orders.
+// Value by which rule 2 orders designs.
 double decisive_value(const ObjectiveValues& values, const Order& order);
 
-// What rules 2 and 3 are made of.
+// Objectives that rules 2 and 3 use.
 std::vector<Objective> within_front_objectives(const Order& order);
 
 // Rules 2 to 4.
@@ -58,16 +58,16 @@ bool precedes_within_front(const Design& a, const Design& b, const Order& order)
 // Best first.
 std::vector<RankedDesign> rank(std::vector<Design> designs, const Order& order);
 
-// Which designs an objective alone would put first.
+// The designs that are best in one objective.
 struct BestDesigns {
   Objective objective{};
   double value = 0;
-  std::vector<std::string> words;  // in the order of the rank
-  std::size_t count = 0;           // of those that have that value, named or not
+  std::vector<std::string> words;  // sorted by rank
+  std::size_t count = 0;           // number of designs with that value, named or not
 };
 
-// For each objective, in the order of their table, with at most so many words each; nothing of
-// nothing.
+// Returns the best for each objective, in the order of their table, with at most `named` words
+// each. Returns nothing if `ranked` is empty.
 std::vector<BestDesigns> best_by_objective(const std::vector<RankedDesign>& ranked,
                                            std::size_t named);
 

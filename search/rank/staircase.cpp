@@ -126,7 +126,7 @@ bool Staircase::proves_dominators(const Goodness& candidate) const {
   const double a = candidate[first_];
   const double b = at(candidate, second_);
   const double c = at(candidate, third_);
-  // As little as where there are fewer than k.
+  // Fewer than k rows look the same as a second value of −∞: nothing is proved.
   if (b == nothing) return false;
   // The largest layer, of all rows that are no worse on the third axis.
   const auto behind =
@@ -144,7 +144,8 @@ bool Staircase::proves_dominators(const Goodness& candidate) const {
   const double no_worse = has_step ? at_a->depth : depth_before(*layer, at_a);
   if (no_worse > b) return true;
   if (no_worse < b) return false;
-  // As many are equal in both: are they better on the third axis?
+  // At least k rows are no worse on both axes, some of them equal. They dominate if they are better
+  // on the third axis.
   if (layer->least == c && layer == layers_.begin()) return false;
   const auto better = layer->least > c ? layer : layer - 1;
   const auto step = std::upper_bound(better->steps.begin(), better->steps.end(), a,

@@ -37,7 +37,7 @@ class SweepCounter {
   Eigen::Index not_less(double value) const;
 
  private:
-  std::size_t rank(double value) const;  // from 1, the greatest first
+  std::size_t rank(double value) const;  // rank 1 is the greatest
 
   std::vector<double> falling_;
   std::vector<Eigen::Index> sums_;  // a Fenwick tree over the ranks (P. Fenwick, 1994)
@@ -47,10 +47,10 @@ class Staircase {
  public:
   // No rows: proves nothing.
   Staircase() = default;
-  // Of any order of rows.
+  // Takes the rows in any order.
   Staircase(const GoodnessMatrix& rows, std::size_t keep);
 
-  // Whether there are few enough objectives, and values of a third.
+  // True if there are at most three objectives, and few values of the third.
   static bool can_hold(const GoodnessMatrix& rows);
 
   bool proves_dominators(const Goodness& candidate) const;
@@ -60,10 +60,10 @@ class Staircase {
     double first;
     double depth;  // d_k from this step down to the next one
   };
-  // Of the rows whose value on the third axis is at least this.
+  // Staircase of the rows whose value on the third axis is at least `least`.
   struct Layer {
     double least;
-    std::vector<Step> steps;  // by falling first value
+    std::vector<Step> steps;  // sorted by falling first value
   };
 
   void choose_axes(const GoodnessMatrix& rows);
@@ -72,7 +72,7 @@ class Staircase {
   Eigen::Index first_ = 0;
   Eigen::Index second_ = -1;  // -1: no such objective, all are 0
   Eigen::Index third_ = -1;
-  std::vector<Layer> layers_;  // by falling value
+  std::vector<Layer> layers_;  // sorted by falling value
 };
 
 }  // namespace reeve::search

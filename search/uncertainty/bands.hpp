@@ -1,9 +1,7 @@
-// What the objectives of a design are where the coefficients are drawn: median and 5–95 % band of
-// each.
+// Bands of a design's objectives under drawn coefficients: median, 5 % and 95 % quantile.
 //
-// The value of a draw is the objective as it is always meant, over all grasps of the ranking, at
-// that draw's coefficients. Quantiles are those of `size` (numerics/robust.hpp): between two draws
-// in proportion.
+// The value of a draw is the objective over all grasps of the ranking, at that draw's coefficients.
+// Quantiles are those of `size` (numerics/robust.hpp), with linear interpolation between two draws.
 #pragma once
 
 #include <cstddef>
@@ -28,16 +26,17 @@ struct ObjectiveBand {
   Band band;
 };
 
-// Of one design, in the order of the table of objectives; empty where nothing was drawn.
+// Bands of one design, in the order of the table of objectives. Empty without draws.
 using Bands = std::vector<ObjectiveBand>;
 
 const Band* find_band(const Bands& bands, Objective objective);
 
-// True if friction moves the objective, so that draws make a band of it. Parts are counted, where
-// fingers and carriage go is geometry, and quantiles over contacts are of draws themselves.
+// True if friction changes the objective, so that draws make a band of it. Numbers of parts and
+// finger and carriage positions do not depend on friction. Quantiles over contacts already come
+// from draws.
 bool depends_on_friction(Objective objective);
 
-// Those that are, of a hardware with or without a hand.
+// Returns the objectives that depend on friction, of hardware with or without a hand.
 std::vector<Objective> friction_objectives(bool with_hand);
 
 // Infinite values are the worst or the best, as they are; none is NaN.
@@ -55,7 +54,7 @@ class DrawnValues {
   // Does nothing for designs that are not kept here. Each draw of each design once, from any
   // thread.
   void keep(std::size_t design, std::size_t draw, const ObjectiveValues& values);
-  // Of the designs kept, in their order.
+  // Return the bands of the designs kept, in their order.
   std::vector<Bands> bands(Workers& workers) const;
   std::vector<Band> decisive_bands(Workers& workers) const;
 

@@ -12,13 +12,13 @@ Interval around(double value, double relative) {
   return {value * (1 - relative), value * (1 + relative)};
 }
 
-// What the user has in hand is possible, whatever the literature says.
+// Widens a literature range to include the value of the user's hardware.
 Interval widened(const MuRange& range, double nominal) {
   return {std::min(range.low, nominal), std::max(range.high, nominal)};
 }
 
-// What the interval of the bearings is about. Those without friction would not vary, and with them
-// no block that has some.
+// Returns the μ on which the interval of the bearings is centred. If bearings have no friction,
+// this is the block's μ, so that the block varies.
 double bearing_reference(const Hardware& nominal) {
   return nominal.bearing.mu == 0 && nominal.block ? nominal.block->mu : nominal.bearing.mu;
 }

@@ -1,11 +1,13 @@
-// How far the first place is from changing hands.
+// Margin by which the first design keeps its place.
 //
 // The lead of a design over another is the difference of their products mean uniformity × mean
-// efficiency, by which designs of one front are ordered. Its least value over all coefficients in
-// their ranges says whether the order is safe (positive) or where it would turn (negative), and the
-// coefficients at which it is least are the ones to measure. Where uncertainty.hpp samples, this
-// looks for the worst case: over the whole box, and from the least of its corners and the nominal
-// coefficients. Leads have kinks, and what is found is the least that was seen.
+// efficiency, by which designs of one front are ordered. If its least value over all coefficients
+// in their ranges is positive, the order is safe. If it is negative, the order can turn, and the
+// coefficients at that point are the ones to measure.
+//
+// uncertainty.hpp samples; this file searches the whole box for the worst case, starting from the
+// least of the corners and the nominal coefficients. Leads have kinks, and the result is the least
+// lead found.
 #pragma once
 
 #include <optional>
@@ -32,12 +34,13 @@ struct MarginOptions {
   Model nominal;
   UncertaintyRanges ranges;
   GraspSet grasps;
-  int evaluations = 1000;  // for each challenger and each of three stages
+  int evaluations = 1000;  // limit for each challenger and each of three stages
   int threads = 0;
 };
 
-// Of the first design over each of the others, in the order of their ranks. Nothing if stopped. The
-// front must be that of the two means: then the first has the greatest product.
+// Returns the margins of the first design over each other one, in the order of the ranks. Returns
+// nothing if stopped. The front must be that of the two means: the first design then has the
+// greatest product.
 std::optional<std::vector<Margin>> margins(const std::vector<Routing>& ranked,
                                            const MarginOptions& options,
                                            const Supervision& supervision = {});

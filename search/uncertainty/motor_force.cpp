@@ -28,12 +28,17 @@ double quantile(const Routing& routing, const UncertaintyOptions& options) {
 }  // namespace
 
 std::optional<MotorForce> motor_force(const Routing& routing, const UncertaintyOptions& options) {
-  const EvaluationScope scope = scope_for({Objective::motor_force}, options.score);
+  const EvaluationScope scope =
+      scope_for({Objective::motor_force, Objective::stroke, Objective::closure}, options.score);
   const ObjectiveValues values =
       DesignEvaluator(options.nominal, options.grasps, options.score).evaluate(routing, scope);
   if (!has_hand(values)) return std::nullopt;
-  return MotorForce{value(values, Objective::motor_force), quantile(routing, options),
-                    options.draws, options.seed};
+  return MotorForce{.nominal_N = value(values, Objective::motor_force),
+                    .p95_N = quantile(routing, options),
+                    .draws = options.draws,
+                    .seed = options.seed,
+                    .stroke_mm = value(values, Objective::stroke),
+                    .closure = value(values, Objective::closure)};
 }
 
 }  // namespace reeve::search

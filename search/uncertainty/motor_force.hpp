@@ -1,10 +1,13 @@
-// The force that the motor of a hand must have: one definition for all subcommands.
+// The force and the stroke that the motor of a hand must have: one definition for all subcommands.
 //
 //   nominal   F_M, the objective motor_force: the greatest motor tension that a grasp asks for
 //             (core/hand.hpp), over all grasps that are asked, at the nominal coefficients
 //   p95       95 % quantile of F_M over draws of the coefficients (uncertainty.hpp)
 //
+//   stroke    the objective stroke, at the nominal coefficients
+//
 // A motor is enough if it pulls with the quantile: then 95 % of the hands reach all wanted forces.
+// Its stroke is enough if the hand closes by it.
 // The number is the same wherever it is asked of the same routing, model, grasps, draws and seed.
 #pragma once
 
@@ -26,6 +29,8 @@ struct MotorForce {
   double p95_N = 0;
   std::size_t draws = 0;
   std::uint64_t seed = 0;
+  double stroke_mm = 0;  // infinite if the carriage cannot move from the open hand
+  double closure = 1;    // at that stroke; below 1 if the carriage is then blocked
 
   bool is_met_by(double motor_N) const { return p95_N <= motor_N; }
 };

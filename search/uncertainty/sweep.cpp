@@ -1,6 +1,7 @@
 #include "search/uncertainty/sweep.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/nearest_name.hpp"
 #include "core/notation.hpp"
 #include "core/text.hpp"
 #include "search/evaluate/evaluation.hpp"
@@ -31,11 +33,9 @@ InputError no_sweep(const std::string& text, const std::string& expected) {
   return InputError({.what = "sweep", .value = text, .expected = expected});
 }
 
-std::string coefficient_names() {
-  std::string names;
-  for (const CoefficientRow& about : coefficients) {
-    names += (names.empty() ? "" : ", ") + std::string(about.name);
-  }
+std::vector<std::string> coefficient_names() {
+  std::vector<std::string> names;
+  for (const CoefficientRow& about : coefficients) names.emplace_back(about.name);
   return names;
 }
 
@@ -96,7 +96,8 @@ class SweepRanker {
   std::vector<std::string> words_;
 };
 
-// Where another one takes the lead between two values at which the first are known, in order.
+// Finds where the lead changes between two values whose first designs are known. The changes come
+// in order.
 class LeadSearch {
  public:
   LeadSearch(const SweepRanker& ranker, double resolution)
@@ -202,8 +203,9 @@ CoefficientRange parse_sweep(const std::string& text) {
       std::find_if(coefficients.begin(), coefficients.end(),
                    [&](const CoefficientRow& candidate) { return name == candidate.name; });
   if (about == coefficients.end()) {
-    throw no_sweep(
-        text, fmt::format("one of {}, and its range, such as mu=0.02..0.3", coefficient_names()));
+    const std::vector<std::string> names = coefficient_names();
+    throw no_sweep(text, fmt::format("one of {}, and its range, such as mu=0.02..0.3{}",
+                                     fmt::join(names, ", "), did_you_mean(name, names)));
   }
   const std::string_view range = std::string_view(text).substr(std::min(equals + 1, text.size()));
   const std::size_t dots = range.find("..");
@@ -225,7 +227,7 @@ Model at_coefficient(Model model, Coefficient coefficient, double value) {
   if (sets_tubes(coefficient)) hardware.tube.mu = value;
   if (sets_sheaths(coefficient)) hardware.sheath.mu = value;
   if (coefficient == Coefficient::bearing_mu) {
-    // Of blocks of which the file gives the wrap alone.
+    // The block follows the bearing if the file gives only its wrap angle.
     if (hardware.block && hardware.block->mu == hardware.bearing.mu) hardware.block->mu = value;
     hardware.bearing.mu = value;
   }

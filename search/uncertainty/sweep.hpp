@@ -29,10 +29,10 @@ enum class Coefficient : std::uint8_t { mu, tube_mu, sheath_mu, bearing_mu, shea
 
 struct CoefficientRow {
   Coefficient coefficient;
-  const char* name;   // as it is asked for
+  const char* name;   // name in the option
   const char* title;  // "friction coefficient of the tubes"
   const char* unit;   // "" if it has none
-  double greatest;    // that is possible; the least is 0
+  double greatest;    // greatest possible value; the least is 0
 };
 
 const CoefficientRow& row(Coefficient coefficient);
@@ -51,24 +51,24 @@ CoefficientRange parse_sweep(const std::string& text);
 Model at_coefficient(Model model, Coefficient coefficient, double value);
 
 struct SweepOptions {
-  UncertaintyOptions uncertainty;  // what is nominal, how is ranked, and the draws
-  bool draws = false;              // whether there are bands
+  UncertaintyOptions uncertainty;  // nominal model, order and draws
+  bool draws = false;              // true if bands are computed
   CoefficientRange over;
   std::size_t steps = 28;
 };
 
-// Of one design and one objective; parallel to the values of the coefficient.
+// Curve of one design and one objective, parallel to the values of the coefficient.
 struct SweepCurve {
   Objective objective{};
   std::vector<double> values;
   std::vector<Band> bands;  // empty without draws
 };
 
-// From one value of the coefficient to another these designs come first: one, or equal ones.
+// The first design, or several equal ones, between two values of the coefficient.
 struct SweepLead {
   double from = 0;
   double to = 0;
-  std::vector<std::size_t> first;  // in the order of the list
+  std::vector<std::size_t> first;  // indices into the list, in its order
 };
 
 struct Sweep {
@@ -76,7 +76,7 @@ struct Sweep {
   std::vector<double> at;                        // values of the coefficient
   std::vector<std::vector<SweepCurve>> designs;  // [design][ranked objective]
   std::vector<std::vector<std::size_t>> places;  // [design][value], nominal (rank/equivalent.hpp)
-  std::vector<SweepLead> leads;                  // from one end of the range to the other
+  std::vector<SweepLead> leads;                  // in order, over the whole range
 };
 
 // The ranked objectives that friction moves.

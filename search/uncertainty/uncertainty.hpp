@@ -39,17 +39,17 @@ struct UncertaintyOptions {
   int threads = 0;
   Score score = authors_score();
   std::optional<PartPrices> prices = std::nullopt;
-  std::size_t values_at_once = 32'000'000;  // of draws, kept for bands; eight bytes each
+  std::size_t values_at_once = 32'000'000;  // bound on drawn values kept for bands; 8 bytes each
   std::vector<Constraint> constraints = {};
 };
 
-// Of the place among the designs that were drawn together.
+// Distribution of a design's place among the designs that were drawn together.
 struct RankDistribution {
   double first = 0;  // share of draws in which no design is better placed
   double median = 0;
   double low = 0;           // 5 % quantile
   double high = 0;          // 95 % quantile
-  double first_shared = 0;  // share of draws in which it is first and another one too
+  double first_shared = 0;  // share of draws in which it shares the first place
 };
 
 struct DrawnDesigns {
@@ -58,7 +58,7 @@ struct DrawnDesigns {
   // leave no design out: what is listed met them at the nominal coefficients.
   std::vector<double> constraints_met = {};
   std::vector<Bands> bands;
-  std::vector<Band> decisive = {};  // of what orders designs within a front (decisive_value)
+  std::vector<Band> decisive = {};  // bands of decisive_value
 };
 
 // The model of draw number `draw`: a function of seed and number alone. Its effects are the nominal
