@@ -15,6 +15,7 @@
 #include "reports/exploration/count_report.hpp"
 #include "reports/exploration/explore_report.hpp"
 #include "studies/catalogue_check.hpp"
+#include "studies/catalogue_list.hpp"
 #include "studies/comparison_study.hpp"
 #include "studies/diagnosis_study.hpp"
 #include "studies/import_study.hpp"
@@ -59,6 +60,10 @@ std::optional<DiagnosisReport> diagnose(const Arguments& arguments,
 ShownRouting show(const Arguments& arguments);
 CountReport count(const Arguments& arguments);
 CheckReport check(const Arguments& arguments);
+struct ListedCatalogue {
+  std::vector<ListedMechanism> mechanisms;
+};
+ListedCatalogue catalogue(const Arguments& arguments);
 CompareReport compare(const Arguments& arguments);
 // With the command that makes them again.
 struct ImportedReadings {
@@ -76,6 +81,7 @@ void write(const RankReport& report, const Arguments& arguments);
 void write(SizingReport report, const Arguments& arguments);
 void write(const DiagnosisReport& report, const Arguments& arguments);
 void write(const ShownRouting& report, const Arguments& arguments);
+void write(const ListedCatalogue& catalogue, const Arguments& arguments);
 void write(const CompareReport& report, const Arguments& arguments);
 
 // The model file of diagnose --save-model, and the hardware file of size --save-hardware.

@@ -60,7 +60,8 @@ std::string expectation(const std::string& words, const CLI::Option& option) {
   return fmt::format("a value of type {}", option.get_type_name());
 }
 
-// Of "--top: Value 0 not in range 1 to 100000" and "Could not convert: --top = x".
+// Returns the fault of "--top: Value 0 not in range 1 to 100000" and "Could not convert: --top =
+// x".
 InputFault option_fault(const CLI::App& command, const std::string& words) {
   InputFault fault{.where = command.get_name(), .what = words};
   for (const CLI::Option* option : command.get_options()) {

@@ -11,7 +11,7 @@
 
 namespace reeve::cli {
 
-// Whether one of these names, "--threads", is the option's.
+// True if one of these names, "--threads", is the option's.
 bool is_among(const std::vector<std::string>& names, const CLI::Option& option);
 
 // "reeve explore --fingers 3 --hardware 'my glove.toml'": what was given, not what it defaults to,
@@ -30,8 +30,8 @@ std::vector<std::string> given_arguments(const CLI::App& command,
 // value; here that is an empty one. Throws CLI::ParseError.
 void parse(CLI::App& command, const std::vector<std::string>& arguments);
 
-// CLI11 reads whole numbers as C does: 010 would be eight and 0x10 sixteen. Of all subcommands'
-// options those that are whole numbers take none that begins so.
+// CLI11 reads whole numbers as C does: 010 would be eight and 0x10 sixteen. No subcommand's option
+// of a whole number takes one that begins so.
 void refuse_leading_zeros(CLI::App& program);
 
 // The arguments of `command`, one of the program's, as a caller of api.hpp gives them. Throws

@@ -48,7 +48,7 @@ void say_last(const char (&message)[Size]) {
     ::sleep(1);
     return;
   }
-  // There is nobody left to tell if this fails.
+  // No channel is left to report a failure of this write.
   if (::write(STDERR_FILENO, message, Size - 1) < 0) return;
 }
 

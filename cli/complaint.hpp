@@ -12,9 +12,9 @@ namespace reeve::cli {
 int complain(const std::string& message, int exit_code);
 
 // From here on `complain` waits for some seconds: most often another process says the same, and all
-// are ended. What is said after all begins with `speaker`.
+// are ended. A complaint after that begins with `speaker`.
 void leave_first_word_to_others(const std::string& speaker);
-// Of what no other process can say.
+// Complains of an error that no other process can report.
 int complain_alone(const std::string& message, int exit_code);
 
 // Each line's beginning and end, and how many bytes were left out.
@@ -23,8 +23,8 @@ std::string shortened(std::string_view message);
 // These need no memory.
 int complain_of_memory();
 int complain_of_threads();
-// From here on what nobody can catch (an exception in a destructor, or one for which there is no
-// memory) ends the process with a message and exit code 3, and not by a signal.
+// From here on an exception may be impossible to catch: in a destructor, or without memory for it.
+// It then ends the process with a message and exit code 3, and not by a signal.
 void catch_termination();
 // From here on a file beyond `ulimit -f` is one that cannot be written, as on a full disk, and not
 // the end by a signal, which would leave temporary files.

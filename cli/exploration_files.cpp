@@ -31,8 +31,8 @@ ExplorationView view(const ExploreReport& report, const CLI::App& command,
                                  "--store-every", "--keep"}),
           given_options(command, {"--hardware", "--model"}),
           [&](const Routing& routing) {
-            return shown_routing(routing, options.model, options.grasps, Direction::pull,
-                                 catalogue);
+            return solved_routing(routing, options.model, options.grasps, Direction::pull,
+                                  catalogue);
           },
           details};
 }

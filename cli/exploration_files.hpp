@@ -1,4 +1,4 @@
-// What an exploration leaves in its folder: tables, values, the page and its figures.
+// Files of an exploration in its folder: tables, values, the page and its figures.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,15 +13,15 @@
 
 namespace reeve::cli {
 
-// What of a command decides what is found, as it can be given again: not where to, which shard, or
-// how fast.
+// Returns the arguments of a command that determine the result, as they can be given again: without
+// the destination, the shard and the speed.
 std::vector<std::string> explore_arguments(const CLI::App& command);
 
 // All that an exploration may write or remove in its folder, but for figures.
 std::vector<std::string> exploration_files();
 
-// Of a report that holds the record of a shard also shard.json. `command` is the subcommand as it
-// was given; `details` as in ExplorationView.
+// Writes also shard.json if the report holds the record of a shard. `command` is the subcommand as
+// it was given; `details` as in ExplorationView.
 void write_exploration(const ExploreReport& report, const CLI::App& command,
                        const Catalogue& catalogue, std::optional<std::size_t> details,
                        const std::filesystem::path& directory);

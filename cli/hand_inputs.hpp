@@ -1,4 +1,4 @@
-// Whether what is asked of a hand can be answered by the hardware.
+// Checks if the hardware suffices for the results of a hand that are asked for.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace reeve::cli {
 
-// Of a hand, where the hardware has one, fingers 1 … n must be known. Throws InputError.
+// If the hardware has a hand, fingers 1 … n must be known. Throws InputError.
 void require_known_fingers(const Hardware& hardware, int fingers);
 
 // `option` asks for these; some need a hand. Throws InputError.

@@ -11,6 +11,7 @@
 #include <limits>
 #include <utility>
 
+#include "cli/choice.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
@@ -126,8 +127,8 @@ std::string is_seed(const std::string& text) {
 CLI::Option* HardwareOption::add_to(CLI::App& command) {
   option_ =
       command.add_option("--hardware", file_,
-                         "TOML file with friction coefficients, angles and lengths (default: the "
-                         "paper's; see catalog/hardware/example.toml)");
+                         "TOML file of the parts, such as catalog/hardware/example.toml (default: "
+                         "the paper's)");
   return option_;
 }
 
@@ -150,13 +151,13 @@ CLI::Option* FamilyOption::add_to(CLI::App& command, const std::string& what) {
 
 std::optional<std::string> FamilyOption::read(const Catalogue& catalogue) const {
   if (!is_given()) return std::nullopt;
-  const std::vector<std::string> families = catalogue.families();
-  const bool known = family_ == paper_family ||
-                     std::find(families.begin(), families.end(), family_) != families.end();
-  if (known) return family_;
-  std::string expected = fmt::format("one of {}", paper_family);
-  for (const std::string& family : families) expected += ", " + family;
-  throw InputError({.what = "--family", .value = family_, .expected = expected});
+  std::vector<std::string> families = catalogue.families();
+  families.insert(families.begin(), paper_family);
+  if (std::find(families.begin(), families.end(), family_) != families.end()) return family_;
+  throw InputError({.what = "--family",
+                    .value = family_,
+                    .expected = fmt::format("one of {}{}", fmt::join(families, ", "),
+                                            did_you_mean(family_, families))});
 }
 
 void SvgOption::add_to(CLI::App& command, const std::string& what) {
@@ -209,8 +210,8 @@ void ModelOption::add_to(CLI::App& command) {
   CLI::Option* hardware = hardware_.add_to(command);
   option_ = command
                 .add_option("--model", file_,
-                            "TOML file with a hardware and with effects beyond the plain friction "
-                            "model; see catalog/model/example.toml")
+                            "TOML file with hardware and effects beyond the friction model; see "
+                            "catalog/model/example.toml")
                 ->excludes(hardware);
 }
 
@@ -272,14 +273,24 @@ void require_contacts_to_match(const Hardware& hardware, const std::vector<Routi
                       .expected = fmt::format("{} in {}", expected, where)});
   };
   require("contact", &MechanicsBuilder::unmatched_contacts,
-          "two segments with a contact between them");
+          "two segments with a contact between them, each contact once,");
   require("spools", &MechanicsBuilder::unmatched_spools,
           "a motor-side segment that ends at an M (a P has no spool)");
+  for (const Routing& routing : routings) {
+    const std::vector<std::string> unmatched = builder.unmatched_tendons(expand(routing));
+    if (unmatched.empty()) continue;
+    throw InputError({.where = hardware_place(hardware, "tendon." + unmatched.front()),
+                      .what = "tendon",
+                      .value = unmatched.front(),
+                      .expected = fmt::format("a tendon of {}: with a spring one with one end at "
+                                              "an M, with slack one on a motor and on no block",
+                                              to_word(routing))});
+  }
 }
 
 void FormatOption::add_to(CLI::App& command, const std::vector<std::string>& formats) {
   command.add_option("--format", format, "How to print the result")
-      ->check(CLI::IsMember(formats))
+      ->check(one_of(formats))
       ->capture_default_str();
 }
 
@@ -302,41 +313,49 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
       ->capture_default_str();
   command
       .add_option("--parts", parts,
-                  "paper: tip tube, joins T,P, ends M,F; full: also tip bearing and join B; all: "
-                  "also --anchored and --blocks 1; field: --anchored and up to fingers - 1 blocks, "
-                  "as many as a few seconds allow")
-      ->check(CLI::IsMember({"paper", "full", "all", "field"}))
+                  "Set of parts; all: full, --anchored and --blocks 1; field: all with more blocks")
+      ->check(one_of({"paper", "full", "all", "field"}))
       ->capture_default_str();
-  tips_ = command.add_option("--tips", tips, "Fingertips instead of the set's: tube,bearing");
-  joins_ = command.add_option("--joins", joins, "Joins instead of the set's: T,B,P");
-  ends_ = command.add_option("--ends", ends, "Ends instead of the set's: M,F");
+  tips_ =
+      command.add_option("--tips", tips, "Kinds of fingertips in place of the set's: tube,bearing");
+  joins_ = command.add_option("--joins", joins, "Kinds of joins in place of the set's: T,B,P");
+  ends_ = command.add_option("--ends", ends, "Kinds of ends in place of the set's: M,F");
   command.add_flag("--anchored", anchored,
                    "Also tendons that are tied at a fingertip, such as M-1x");
-  blocks_ = command
-                .add_option("--blocks", blocks,
-                            "Also routings with up to so many floating blocks, such as "
-                            "M-Y1+1x-Y1-2x (default: as --parts says)")
-                ->check(CLI::Range(0, max_generated_blocks));
+  blocks_ =
+      command
+          .add_option("--blocks", blocks,
+                      "Greatest number of floating blocks, such as 1 in M-Y1+1x-Y1-2x (default: "
+                      "that of --parts)")
+          ->check(CLI::Range(0, max_generated_blocks));
+  command.add_option("--beside-ends", beside,
+                     "Joins that may stand beside an end or a block's tail, such as P in F-P-1x");
+  command
+      .add_option("--motors", motors,
+                  "Number of motors, each of which pulls a tendon, such as 2 in M-1-M2")
+      ->check(CLI::Range(1, max_carriages))
+      ->capture_default_str();
   command.add_flag("--distinct-fingers", distinct,
-                   "Tell fingers apart: M-1-P-2-F and M-2-P-1-F are two routings");
+                   "Tell fingers, and motors, apart: M-1-P-2-F and M-2-P-1-F are two routings");
   if (!with_tendons) return;
   command
       .add_option("--tendons", tendons,
-                  "Routings with one tendon only, or with any number; tendons that blocks tie "
-                  "together count as one")
-      ->check(CLI::IsMember({"one", "any"}))
+                  "Number of tendons; those that blocks join to a tree count as one")
+      ->check(one_of({"one", "any"}))
       ->capture_default_str();
 }
 
 GeneratorOptions GeneratorFlags::read_parts() const {
   GeneratorOptions options;
   options.parts = parts == "paper" ? paper_parts() : parts == "all" ? all_parts() : full_parts();
+  options.parts.motors = motors;
   if (anchored) options.parts.anchored = true;
   if (blocks_->count() > 0) options.parts.blocks = blocks;
   for_name("--", [&] {
     if (tips_->count() > 0) options.parts.tips = parse_tips(tips);
     if (joins_->count() > 0) options.parts.joins = parse_joins(joins);
     if (ends_->count() > 0) options.parts.ends = parse_ends(ends);
+    options.parts.beside = parse_joins(beside, "beside-ends");
     validate(options.parts);
   });
   return options;
@@ -362,28 +381,25 @@ void RankingFlags::add_to(CLI::App& command) {
   grasps_given_ =
       command
           .add_option("--grasps", grasps,
-                      "single: none held and each one finger held; all; paper: finger 1 held; or "
-                      "held lists with weights, such as none:2/1/1,2:0.5")
+                      "Grasps: single (none, and each finger held), all, paper, or a list such as "
+                      "none:2/1/1,2:0.5")
           ->capture_default_str();
-  std::string known;
-  for (const ObjectiveRow& row : objective_table()) known += std::string(" ") + row.name;
   objectives_given_ =
       command
-          .add_option("--objectives", objectives, "What spans the Pareto front; known are" + known)
+          .add_option("--objectives", objectives,
+                      "Objectives of the Pareto front, with commas; docs/model.md lists them")
           ->capture_default_str();
   score_given_ =
       command
           .add_option("--score", score,
-                      "Order designs by a weighted mean of objectives, such as "
-                      "uniformity=2,reliability=0.1; authors: the mean of adaptability, "
-                      "torsional_balance, reliability, authors_efficiency and transmission. Within "
-                      "the fronts of --objectives if these are given, otherwise alone")
+                      "Order by a weighted mean of objectives, such as uniformity=2,jams=1; "
+                      "authors: the five indicators")
           ->default_str("authors");
-  CLI::Option* drawn = command.add_flag(
-      "--uncertainty", uncertainty,
-      "Draw the friction coefficients from their ranges and give each design's rank "
-      "as a distribution");
-  command.add_option("--draws", draws, "Draws for --uncertainty")
+  CLI::Option* drawn =
+      command.add_flag("--uncertainty", uncertainty,
+                       "Draw the friction coefficients from their ranges; give objectives and "
+                       "places as distributions");
+  command.add_option("--draws", draws, "Number of draws for --uncertainty")
       ->needs(drawn)
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
@@ -391,7 +407,9 @@ void RankingFlags::add_to(CLI::App& command) {
       ->needs(drawn)
       ->check(is_seed)
       ->capture_default_str();
-  command.add_option("--threads", threads, "Threads; 0: all. The result does not depend on it")
+  command
+      .add_option("--threads", threads,
+                  "Number of threads; 0: all. The result does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
 }
@@ -406,8 +424,8 @@ Order RankingFlags::read_order() const {
   return {for_name("--", [&] { return parse_objectives(objectives); }), by_score};
 }
 
-GraspSet RankingFlags::read_grasps(int fingers, int motors) const {
-  return for_name("--", [&] { return parse_grasps(grasps, fingers, motors); });
+GraspSet RankingFlags::read_grasps(int fingers, int motors, const MotorEnds& ends) const {
+  return for_name("--", [&] { return parse_grasps(grasps, fingers, motors, ends); });
 }
 
 void read_vary(const VaryTable& table, SizingOptions& options) {

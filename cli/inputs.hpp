@@ -1,4 +1,4 @@
-// What several subcommands take: routings by word or name, hardware, formats, and the parts.
+// Inputs of several subcommands: routings by word or name, hardware, formats, and the parts.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -73,7 +73,7 @@ struct HardwareOption {
   CLI::Option* add_to(CLI::App& command);
   bool is_given() const { return option_->count() > 0; }
   HardwareFile read() const;  // the paper's hardware if no file is given
-  std::string name() const;   // of where it comes from
+  std::string name() const;   // name of its source
   void list_in(std::vector<InputFile>& inputs) const;
 
  private:
@@ -81,7 +81,7 @@ struct HardwareOption {
   CLI::Option* option_ = nullptr;
 };
 
-// Of the catalogue.
+// Option for a family of the catalogue.
 struct FamilyOption {
   CLI::Option* add_to(CLI::App& command, const std::string& what);
   bool is_given() const { return option_->count() > 0; }
@@ -114,7 +114,7 @@ struct SvgOption {
 struct OutOption {
   CLI::Option* add_to(CLI::App& command, const std::string& files);
   bool is_given() const { return option_->count() > 0; }
-  // Of the files that come into it none may be an input. Throws InputError.
+  // None of the files that come into the folder may be an input. Throws InputError.
   void require_apart_from(const std::vector<InputFile>& inputs,
                           const std::vector<std::string>& files) const;
   // Made if it is not there. Throws InputError.
@@ -134,7 +134,7 @@ struct ModelOption {
   const FrictionFlags& friction() const { return friction_; }
   // Effects on routings may name those of the catalogue.
   ModelFile read(const Catalogue& catalogue) const;
-  std::string name() const;  // of where it comes from
+  std::string name() const;  // name of its source
   void list_in(std::vector<InputFile>& inputs) const;
 
  private:
@@ -155,7 +155,7 @@ struct FormatOption {
   bool is(const std::string& name) const { return format == name; }
 };
 
-// Of --constraint, each once.
+// Reads --constraint, each once.
 std::vector<Constraint> read_constraints(const std::vector<std::string>& texts);
 
 // The parts and fingers that are asked for, and what the default of --parts leaves out.
@@ -172,6 +172,8 @@ struct GeneratorFlags {
   std::string ends;
   bool anchored = false;
   int blocks = 0;
+  int motors = 1;
+  std::string beside;
   std::string tendons = "any";
   bool distinct = false;
 
@@ -199,10 +201,10 @@ struct RankingFlags {
   int threads = 0;
 
   void add_to(CLI::App& command);
-  GraspSet read_grasps(int fingers, int motors = 1) const;
+  GraspSet read_grasps(int fingers, int motors = 1, const MotorEnds& ends = {}) const;
   bool has_grasps() const { return grasps_given_->count() > 0; }
   Score read_score() const;
-  // By the score alone if it is given and the objectives are not.
+  // The order is by the score alone if it is given and the objectives are not.
   Order read_order() const;
 
  private:

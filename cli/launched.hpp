@@ -1,4 +1,4 @@
-// Whether mpirun or srun started this process together with others, and what follows from that.
+// Detects if mpirun or srun started this process together with others, and what follows from that.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace reeve::cli {
 // As the environment says; alone where REEVE_MPI is off. Throws InputError if that is anything
 // else.
 Launch launched();
-// Whether it is for another process to speak first.
+// True if another process must speak first.
 bool follows_another();
 // "rank 1 of 3, on node7: ", for what it says itself.
 std::string this_process();
@@ -20,7 +20,7 @@ std::string this_process();
 // Throws InputError if there are others: all would do the same, and write the same files.
 void require_alone(const Launch& launch);
 
-// Of one that follows another: that one does not hear of it, and cannot say it.
+// A follower is not connected to the leader, which therefore cannot report it.
 class Unconnected : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -67,7 +67,7 @@ void require_no_input_in(const fs::path& folder, const std::vector<std::string>&
                          const std::vector<InputFile>& inputs) {
   const std::string option = fmt::format("--out '{}'", folder.string());
   for (const std::string& file : files) require_not_an_input(folder / file, inputs, option);
-  // Which figures there will be is known when they are made.
+  // The names of the figures are known only when they are made.
   const fs::path figures = folder / "figures";
   require_not_an_input(figures, inputs, option);
   for (const InputFile& input : inputs) {

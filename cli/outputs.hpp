@@ -1,4 +1,4 @@
-// Where results may be written: checked before long work, without writing anything.
+// Checks before long work if results may be written, without writing anything.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace reeve::cli {
 
-// What a command reads, or goes on in, and what of it: "the data", "the store".
+// A file that a command reads, or continues in, and its role: "the data", "the store".
 struct InputFile {
   std::filesystem::path file;
   std::string what;
@@ -20,7 +20,7 @@ struct InputFile {
 // messages. Throw InputError.
 void require_not_an_input(const std::filesystem::path& file, const std::vector<InputFile>& inputs,
                           const std::string& option);
-// Of files, and of figures, that are written or removed in the folder of --out.
+// Checks the files, and the figures, that are written or removed in the folder of --out.
 void require_no_input_in(const std::filesystem::path& folder, const std::vector<std::string>& files,
                          const std::vector<InputFile>& inputs);
 

@@ -17,7 +17,7 @@ std::vector<std::string> with_tables(const std::vector<std::string>& others);
 // `width`: of the text in characters, with latex in pt; 0: as wide as the terminal, or any.
 std::string printed(const Document& document, const FormatOption& format, double width = 0);
 
-// Which files lie in the folder now, and where the page among them is. Only beside a table, where
+// Lists the files in the folder, and the place of the page among them. Only beside a table, where
 // nobody takes it for a part of the result; otherwise "".
 std::string announced(const std::string& files, const std::filesystem::path& folder,
                       const FormatOption& format);

@@ -27,12 +27,14 @@ namespace reeve::cli {
 namespace {
 
 constexpr const char* description =
-    "reeve explores, ranks and checks tendon routings: the ways in which one motor's tendon can be\n"
-    "led through the fingers of a soft wearable hand.\n\n"
+    "reeve explores, ranks, checks and diagnoses tendon routings: the ways in which one motor's\n"
+    "tendon can be led through the fingers of a soft wearable hand.\n\n"
     "A routing is written as the walk of its tendon, such as M-1-T-2-F or 1-P-2-P-1:\n"
     "  1, 2, …  through that finger (b behind the number: a bearing at the fingertip)\n"
     "  M, F     an end tied to the carriage of the motor, an end fixed at the hand\n"
     "  T, B, P  strands joined by a tube, a pulley with bearing, a movable pulley on the carriage\n"
+    "  1x       an end tied at that fingertip\n"
+    "  Y1, W1   round a pulley (on the arms of a bar) that floats at the hand; as an end, tied to it\n"
     "  -, +     between tokens, between tendons; a walk back to its first finger is a loop\n"
     "Names of the catalogue, such as TR7, can stand in place of a routing.";
 
@@ -44,7 +46,7 @@ std::string version_text() {
 
 std::string parse_complaint(const CLI::ParseError& error, const CLI::App& program) {
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return unknown_words(program);
-  return fmt::format("{}; see {}", error.what(), help_command(program));
+  return pointed_to_help(error.what(), program);
 }
 
 // A script that hangs should say why.
@@ -70,7 +72,7 @@ int run(int argc, char** argv) {
   core::set_waiting_notice(say_what_is_waited_for);
   end_waits_on(&stop_was_requested());
   reeve.footer(
-      "Exit codes: 0 done, 1 the answer is no, 2 bad usage or input, 3 interrupted, "
+      "Exit codes: 0 done, 1 a negative answer (no design meets the constraints, a number differs), 2 bad usage or input, 3 interrupted, "
       "standard output cannot be written, not enough memory, or an internal error.");
   try {
     parse(reeve, {argv + 1, argv + argc});

@@ -25,7 +25,7 @@ class Interrupted : public std::runtime_error {
 // ignored.
 const std::atomic<bool>& stop_on_interrupt();
 const std::atomic<bool>& stop_was_requested();
-// Whether SIGTERM was among them.
+// True if SIGTERM was among them.
 const std::atomic<bool>& was_terminated();
 // Ctrl-C, SIGHUP and SIGUSR1 are for somebody else.
 void leave_interrupts_to_others();
@@ -73,8 +73,7 @@ auto supervised(Study study) {
   return study({std::ref(progress), &stop_on_interrupt()});
 }
 
-// What is being done, on stderr, where how long it takes is not known; silent where stderr is no
-// terminal.
+// Shows the present stage on stderr, if its duration is not known; silent if stderr is no terminal.
 class StageLine {
  public:
   StageLine();

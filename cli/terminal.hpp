@@ -1,4 +1,4 @@
-// What the program knows of the terminal that it writes to.
+// Properties of the terminal that the program writes to.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ struct Terminal {
   std::size_t width = 0;     // in columns
 };
 
-// Of stdout or stderr.
+// Returns the properties of stdout or stderr.
 Terminal terminal(int descriptor);
 
 }  // namespace reeve::cli

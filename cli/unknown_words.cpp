@@ -108,11 +108,6 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string pointed_to_help(const std::string& complaint, const CLI::App& program) {
-  return fmt::format("{}{} {}", complaint, complaint.ends_with('?') ? " See" : "; see",
-                     help_command(program));
-}
-
 // "reeve --fingers 3 explore" has the option before its subcommand.
 const CLI::App* owner(const CLI::App& program, const std::string& option) {
   for (const CLI::App* command : program.get_subcommands()) {
@@ -142,6 +137,11 @@ std::string unknown_of_program(const CLI::App& program, const std::vector<std::s
 std::string help_command(const CLI::App& program) {
   const std::vector<CLI::App*> given = program.get_subcommands();
   return given.empty() ? "reeve --help" : fmt::format("reeve {} --help", given.front()->get_name());
+}
+
+std::string pointed_to_help(const std::string& complaint, const CLI::App& program) {
+  return fmt::format("{}{} {}", complaint, complaint.ends_with('?') ? " See" : "; see",
+                     help_command(program));
 }
 
 std::string unknown_words(const CLI::App& program) {

@@ -162,7 +162,7 @@ std::string row_title(std::size_t row, const TensionDistribution& distribution) 
     case FrictionKind::coefficient:
       return fmt::format("({}) μ of tubes and sheaths {:g}", letter(row), distribution.tube_mu);
     case FrictionKind::model:
-      return two("the model as it stands");
+      return two("the nominal model");
     case FrictionKind::diagnosed:
       return two("as diagnosed");
   }

@@ -14,8 +14,8 @@ namespace reeve::pages {
 // One for each grasp: the first is "figure-9", others say their grasp too.
 std::vector<Figure> distribution_figures(const TensionDistributions& distributions);
 
-// What stands below them: where published values come from, which of them the check finds at fault
-// and why, and what was left out of the data. HTML.
+// Notes below the distributions: sources of published values, the check's findings of faulty ones
+// and their reasons, and the data left out. HTML.
 std::string distribution_notes(const TensionDistributions& distributions);
 
 }  // namespace reeve::pages

@@ -44,11 +44,11 @@ std::string computed() {
   return fmt::format("computed with reeve {}, not measured", version().number);
 }
 
-std::string captioned_routing(const ShownRouting& report) {
+std::string captioned_routing(const SolvedRouting& report) {
   return report.name.empty() ? report.word : fmt::format("{} ({})", report.name, report.word);
 }
 
-// What differs at one finger; its joints are no friction.
+// Describes the own values of one finger; its joints are no friction.
 std::string finger_text(const FingerHardware& finger) {
   std::string text;
   const auto add = [&](const char* what, const std::optional<double>& value, const char* unit) {
@@ -102,7 +102,7 @@ std::string coefficients_text(const Model& model) {
   return text;
 }
 
-std::string schematic_caption(const ShownRouting& report, const ShownGrasp& shown) {
+std::string schematic_caption(const SolvedRouting& report, const ShownGrasp& shown) {
   const char* verb = report.direction == Direction::pull ? "pulling" : "releasing";
   return fmt::format(
       "Routing {} with {}, the carriage {}{}: simulated tensions in newton per newton of motor "

@@ -26,9 +26,9 @@ std::string schematic_name(const std::string& stem, Grasp grasp);
 // "friction coefficients of 0.18 (tubes), …": the coefficients behind a figure.
 std::string coefficients_text(const Model& model);
 
-std::string schematic_caption(const ShownRouting& report, const ShownGrasp& shown);
+std::string schematic_caption(const SolvedRouting& report, const ShownGrasp& shown);
 
-// What the page says of a chart, then the coefficients.
+// Returns the figure with the page's words on the chart, then the coefficients.
 FigureFile captioned(const Figure& figure, const Model& model);
 
 }  // namespace reeve::pages

@@ -25,7 +25,7 @@ chart::Extent reach(const chart::Extent& points) {
   return {points.low - beyond, points.high + beyond};
 }
 
-// Whether it had to be cut. Its title has the whole band.
+// Returns true if it had to be cut. Its title has the whole band.
 bool add_span(const BandedSpot& spot, Objective objective, double at, const chart::Extent& points,
               chart::Spans& spans) {
   const Band* band = find_band(spot.bands, objective);

@@ -15,7 +15,7 @@ namespace reeve::pages {
 // Named with its unit and which way is better; no longer than what the objective can be.
 chart::Axis objective_axis(Objective objective, const std::string& cost_unit = "");
 
-// Where a design is drawn, at its nominal values.
+// Position of a design in the plot, at its nominal values.
 struct BandedSpot {
   double x = 0;
   double y = 0;
@@ -26,8 +26,8 @@ struct BandedSpot {
 // More crosses than these hide each other.
 inline constexpr std::size_t most_banded = 16;
 
-// What the points of the plot span along both axes. Bars reach at most half of that beyond them, so
-// that points stay apart that one chooses by; of one place alone they are whole.
+// Span of the plot's points along both axes. Bars reach at most half of it beyond them, so that the
+// points stay apart. If all points coincide, the bars are whole.
 using PointsSpan = std::array<chart::Extent, 2>;
 
 struct BandBars {
@@ -35,11 +35,12 @@ struct BandBars {
   bool cut = false;  // some reach further than they are drawn
 };
 
-// Of the first so many that have bands on these axes, each once; nothing where there is none.
+// Returns the bars of the first designs that have bands on these axes, each once; nothing if there
+// are none.
 BandBars band_bars(const std::vector<BandedSpot>& spots, const std::array<Objective, 2>& axes,
                    const PointsSpan& points);
 
-// What the caption says of them; "" where there is none.
+// Returns the caption's words on the bars; "" if there are none.
 std::string band_caption(const BandBars& bars);
 
 }  // namespace reeve::pages

@@ -45,16 +45,16 @@ std::string four_digits(double value) {
 std::string grasp_words(Grasp grasp) {
   const std::vector<int> held = held_fingers(grasp);
   const std::vector<double> travels = carriage_travels(grasp);
-  const std::string carriages =
-      travels.empty() ? "" : fmt::format(", carriages travel {}", fmt::join(travels, ", "));
-  if (held.empty()) return "no finger held" + carriages;
-  return fmt::format("finger{} {} held{}", held.size() > 1 ? "s" : "", fmt::join(held, ", "),
-                     carriages);
+  std::string ends = locked_words(grasp);
+  if (!travels.empty()) ends += fmt::format(", carriages travel {}", fmt::join(travels, ", "));
+  if (held.empty()) return "no finger held" + ends;
+  return fmt::format("finger{} {} held{}", held.size() > 1 ? "s" : "", fmt::join(held, ", "), ends);
 }
 
 std::string grasp_id(Grasp grasp) {
   const std::vector<int> held = held_fingers(grasp);
   std::string id = held.empty() ? "held-none" : fmt::format("held-{}", fmt::join(held, "-"));
+  for (const std::string& end : locked_ends(grasp)) id += "-" + end;
   for (const double travel : carriage_travels(grasp)) id += fmt::format("_{}", travel);
   return id;
 }

@@ -1,4 +1,4 @@
-// What objectives, grasps and routings are called on a page, and lists in a sentence.
+// Names of objectives, grasps and routings on a page, and lists in a sentence.
 #pragma once
 
 #include <string>

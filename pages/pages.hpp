@@ -1,6 +1,6 @@
 // The pages of a routing, a ranking, a sizing and the catalogue: what `show`, `rank`, `size` and
-// `catalogue` write with --out.
-// Those of an exploration and of a diagnosis have headers of their own.
+// `catalogue` write with --out. The pages of an exploration and of a diagnosis have headers of
+// their own.
 #pragma once
 
 #include <string>

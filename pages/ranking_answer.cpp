@@ -95,7 +95,7 @@ Json others(const RankReport& report, const Labels& labels) {
   return list;
 }
 
-// What the ladder decides; the first stands above.
+// Returns the lines that the ladder decides; the first design stands above.
 Json decision(const RankReport& report) {
   Json lines = Json::array();
   const auto add_motor = [&] {

@@ -36,7 +36,7 @@ struct SharedSpot {
   double y = 0;
   bool on_front = false;
   std::vector<std::string> names;
-  Bands bands;  // of the first of them
+  Bands bands;  // bands of the first of them
 };
 
 bool reads_alike(Objective objective, double one, double other) {

@@ -65,7 +65,7 @@ HtmlTable ranking_table(const RankReport& report, const Labels& labels) {
     }
     table.add(std::move(cells));
   }
-  return {"ranking-table", "Objectives; the headings sort", std::move(table), true};
+  return {"ranking-table", "Objectives; click a heading to sort", std::move(table), true};
 }
 
 std::vector<GlossaryTerm> ranking_glossary(const RankReport& report) {
@@ -93,7 +93,7 @@ HtmlTable margin_table(const RankReport& report, const Labels& labels) {
           std::move(table), true};
 }
 
-// Of all objectives that the page shows and friction moves.
+// Table of the bands of all shown objectives that friction moves.
 HtmlTable bands_table(const RankReport& report) {
   std::vector<Objective> objectives = shown_objectives(report.order, report.score);
   std::erase_if(objectives, [](Objective objective) { return !depends_on_friction(objective); });
@@ -155,7 +155,7 @@ class RankingPageBuilder {
   const RankReport& report_;
   const std::vector<ShownRouting>& routings_;
   Labels labels_;
-  std::vector<std::string> stems_;  // of the schematics' files
+  std::vector<std::string> stems_;  // names of the schematics' files
   const std::string& command_;
   PageFiles page_;
 };

@@ -10,7 +10,7 @@
 
 namespace reeve::pages {
 
-// What the page calls each design, in their order: no two alike.
+// Labels of the designs on the page, in their order: no two alike.
 using Labels = std::vector<std::string>;
 
 // Over the first two objectives that span the front; with only one, the mean uniformity or the mean

@@ -38,7 +38,7 @@ Figure tension_figure(const ShownRouting& report) {
           "At a motor tension of 1; colours tell the fingers apart.", chart_svg(chart)};
 }
 
-// Of what the page rests on, the sentence that people look for first.
+// Returns the sentence that people look for first.
 std::string summary(const ShownRouting& report) {
   const ObjectiveValues& values = report.values;
   return fmt::format(

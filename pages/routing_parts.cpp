@@ -20,11 +20,11 @@
 namespace reeve::pages {
 namespace {
 
-std::string title(const ShownRouting& report) {
+std::string title(const SolvedRouting& report) {
   return report.name.empty() ? report.word : report.name + ": " + report.word;
 }
 
-std::string drawing(const std::string& ids, const ShownRouting& report, const ShownGrasp& shown) {
+std::string drawing(const std::string& ids, const SolvedRouting& report, const ShownGrasp& shown) {
   const GraspView view{shown.grasp, report.direction, shown.state};
   return schematic_svg(schematic(report.network, title(report), view), ids);
 }
@@ -51,17 +51,17 @@ std::vector<std::pair<Segment, double>> strands(const Network& network, const Te
   return result;
 }
 
-std::string schematic_html(const std::string& id, const ShownRouting& report,
+std::string schematic_html(const std::string& id, const SolvedRouting& report,
                            const ShownGrasp& shown, const std::string& file) {
   return schematic_html(id, drawing(id, report, shown), file);
 }
 
-FigureFile schematic_file(const std::string& file, const ShownRouting& report,
+FigureFile schematic_file(const std::string& file, const SolvedRouting& report,
                           const ShownGrasp& shown) {
   return {file, drawing("schematic", report, shown), schematic_caption(report, shown)};
 }
 
-HtmlTable tension_table(const ShownRouting& report) {
+HtmlTable tension_table(const SolvedRouting& report) {
   Table table{{text_column("grasp")}, {}};
   for (const Segment& segment : report.network.segments) {
     table.columns.push_back(number_column(segment_name(segment)));
@@ -90,7 +90,7 @@ HtmlTable tension_table(const ShownRouting& report) {
   return {"tensions-table", "Tensions over the motor tension", std::move(table)};
 }
 
-HtmlTable share_table(const ShownRouting& report) {
+HtmlTable share_table(const SolvedRouting& report) {
   Table table{{text_column("grasp")}, {}};
   for (const auto& [segment, tension] : strands(report.network, report.grasps.front().state)) {
     table.columns.push_back(number_column(segment_name(segment)));
@@ -105,7 +105,7 @@ HtmlTable share_table(const ShownRouting& report) {
   return {"shares-table", "Shares of the strands in their sum, %", std::move(table)};
 }
 
-HtmlTable contact_table(const ShownRouting& report) {
+HtmlTable contact_table(const SolvedRouting& report) {
   Table table{{text_column("contact"), text_column("kind")}, {}};
   for (const ShownGrasp& shown : report.grasps)
     table.columns.push_back(text_column(heading(shown)));
@@ -135,12 +135,13 @@ HtmlTable routing_objectives(const ShownRouting& report) {
 std::string ladder_html(const ListedLadder& ladder) {
   const Section section = ladder_section(ladder);
   if (!section.table) return "";
-  return render("ladder.mustache",
-                {{"title", section.title},
-                 {"table", html({"ladder-table",
-                                 "Gains over the line above; kept of the first in what loses most.",
-                                 *section.table})},
-                 {"glossary", glossary_html("Gain, kept, knee: what they mean", ladder_terms())}});
+  return render(
+      "ladder.mustache",
+      {{"title", section.title},
+       {"table", html({"ladder-table",
+                       "gain: change from the line above; kept: value relative to the best design.",
+                       *section.table})},
+       {"glossary", glossary_html("Gain, kept, knee: what they mean", ladder_terms())}});
 }
 
 }  // namespace reeve::pages

@@ -22,18 +22,18 @@ std::string objective_text(Objective objective, double value);
 std::vector<std::pair<Segment, double>> strands(const Network& network, const TensionState& state);
 
 // For the page, with buttons to save it under that file's name, and for figures/.
-std::string schematic_html(const std::string& id, const ShownRouting& report,
+std::string schematic_html(const std::string& id, const SolvedRouting& report,
                            const ShownGrasp& shown, const std::string& file);
-FigureFile schematic_file(const std::string& file, const ShownRouting& report,
+FigureFile schematic_file(const std::string& file, const SolvedRouting& report,
                           const ShownGrasp& shown);
 
-HtmlTable tension_table(const ShownRouting& report);
-HtmlTable share_table(const ShownRouting& report);
-HtmlTable contact_table(const ShownRouting& report);
+HtmlTable tension_table(const SolvedRouting& report);
+HtmlTable share_table(const SolvedRouting& report);
+HtmlTable contact_table(const SolvedRouting& report);
 HtmlTable routing_objectives(const ShownRouting& report);
 
-// What more parts buy, as a section with its heading; "" where there is no ladder of at least two
-// rungs.
+// Trade-off table of designs against parts, as a section with its heading; "" if the ladder has
+// fewer than two rungs.
 std::string ladder_html(const ListedLadder& ladder);
 
 }  // namespace reeve::pages

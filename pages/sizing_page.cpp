@@ -9,6 +9,7 @@
 #include "pages/routing_parts.hpp"
 #include "pages/shell/settings.hpp"
 #include "pages/shell/template.hpp"
+#include "reports/document/chosen_columns.hpp"
 #include "reports/hand_report.hpp"
 #include "reports/sizing_report.hpp"
 #include "reports/sizing_words.hpp"
@@ -30,6 +31,20 @@ std::string table_html(const std::string& id, const Section& section) {
   return section.table ? html({id, section.title, *section.table}) : "";
 }
 
+// Names the dimensions that the first screen has room for; the table below has all of them.
+std::string summary_html(const Section& best) {
+  constexpr std::size_t most_rows = 6;
+  if (!best.table) return "";
+  Table table = with_columns(*best.table, {"dimension", "unit", "before", "sized", "less", "more"});
+  const std::size_t all = table.rows.size();
+  std::string caption = "Dimensions, and the tolerance of each alone";
+  if (all > most_rows) {
+    caption += fmt::format("; {} more below", all - most_rows);
+    table.rows.resize(most_rows);
+  }
+  return html({"summary-table", caption, std::move(table)});
+}
+
 std::string slope_html(const SizedDesign& design) {
   Table table{{text_column("dimension"), number_column("slope, less"), number_column("slope, more"),
                text_column("per")},
@@ -40,11 +55,11 @@ std::string slope_html(const SizedDesign& design) {
                fmt::format("{:+.4g}", sized.sensitivity.slope_more), *unit == '\0' ? "1" : unit});
   }
   return html({"slopes-table",
-               "Sensitivities: by how much the goal changes as a dimension gets less, and more",
+               "Sensitivities: change of the goal per unit of a dimension, below and above",
                std::move(table)});
 }
 
-// What both hands ask of a motor, one beside the other.
+// Table of both hands' demands on a motor, side by side.
 std::string motor_html(const SizingDetails& details) {
   const MotorDemand& before = details.before.hand->demand;
   const MotorDemand& sized = details.sized.hand->demand;
@@ -72,7 +87,7 @@ std::string motor_html(const SizingDetails& details) {
     table.add(
         {"speed of the spool", "rpm", short_text(*before.spool_rpm), short_text(*sized.spool_rpm)});
   }
-  return html({"motor-table", "The motor, at the nominal coefficients but for the quantile",
+  return html({"motor-table", "The motor, at the nominal coefficients except for the quantile",
                std::move(table)});
 }
 
@@ -94,7 +109,7 @@ std::string axis_title(const SizeVariable& about) {
   return *about.unit == '\0' ? about.name : fmt::format("{}, {}", about.name, about.unit);
 }
 
-// What a tolerance of nothing reaches to: the end of the profile.
+// An unlimited tolerance reaches to the end of the profile.
 chart::PanelBands tolerance_band(const SizedVariable& sized, const GoalProfile& profile) {
   const Sensitivity& alone = sized.sensitivity;
   const double low = alone.less ? sized.value - *alone.less : profile.values.front();
@@ -135,7 +150,7 @@ chart::Panel profile_panel(const Goal& goal, const SizedDesign& design, std::siz
   panel.y.title = goal_title(goal);
   chart::Style band{chart::Colour::sky};
   band.fill = 0.25;
-  panel.layers.push_back({"may be off so far alone", band, tolerance_band(sized, profile)});
+  panel.layers.push_back({"tolerance alone", band, tolerance_band(sized, profile)});
   if (design.together && design.variables.size() > 1) {
     chart::Style inner{chart::Colour::green};
     inner.fill = 0.35;
@@ -234,8 +249,11 @@ PageFiles SizingPageBuilder::build() {
   }
   Json values{
       {"title", "Dimensions of " + title_of(best)},
-      {"lead", fmt::format("{}: {}", title_of(best), gain_text(report_.options, best.design))},
+      {"lead", fmt::format("{} is sized for {}: {}.", title_of(best), goal_text(report_.options),
+                           gain_text(report_.options, best.design))},
       {"opening", line_values(sections.opening)},
+      {"demand", line_values(sections.objectives.lines)},
+      {"summary", summary_html(sections.best)},
       {"lines", line_values(sections.best.lines)},
       {"before", drawing(details_.before, 0, "before", stems_[1])},
       {"sized", drawing(details_.sized, 0, "sized", stems_[0])},
@@ -243,7 +261,7 @@ PageFiles SizingPageBuilder::build() {
       {"first_grasp", grasp_words(details_.before.grasps.front().grasp)},
       {"dimensions",
        table_html("dimensions-table",
-                  {"What was chosen, and how far it may be off", sections.best.table, {}})},
+                  {"Sized dimensions and their tolerances", sections.best.table, {}})},
       {"ranking", table_html("ranking-table", sections.ranking)},
       {"shares", table_html("shares-table", sections.shares)},
       {"objectives", table_html("objectives-table", sections.objectives)}};

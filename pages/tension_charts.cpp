@@ -64,7 +64,7 @@ chart::Chart tension_chart(const std::vector<TensionPanel>& panels) {
   return result;
 }
 
-chart::Chart tension_chart(const ShownRouting& report) {
+chart::Chart tension_chart(const SolvedRouting& report) {
   std::vector<TensionPanel> panels;
   for (const ShownGrasp& shown : report.grasps) {
     panels.push_back({grasp_words(shown.grasp), &report.network, &shown.state});

@@ -23,7 +23,7 @@ struct TensionPanel {
 chart::Chart tension_chart(const std::vector<TensionPanel>& panels);
 
 // A panel for each grasp.
-chart::Chart tension_chart(const ShownRouting& report);
+chart::Chart tension_chart(const SolvedRouting& report);
 
 // As many panels in a row as a figure of a paper takes.
 std::size_t columns(double panel_width, std::size_t panels);

@@ -18,19 +18,19 @@ std::string contact_words(const char* parts, const ContactLaw& law) {
                      law.whole_angle_rad() * degrees_in_rad);
 }
 
+std::string own_values_words(std::size_t count, const char* one) {
+  if (count == 0) return "";
+  return fmt::format(", {} with values of {} own", plural(count, one),
+                     count == 1 ? "its" : "their");
+}
+
 std::string friction_words(const Hardware& hardware) {
   std::string text = fmt::format("{}, {}, {}", contact_words("tubes", hardware.tube),
                                  contact_words("bearings", hardware.bearing),
                                  contact_words("sheaths", hardware.sheath));
   if (hardware.block) text += ", " + contact_words("blocks", *hardware.block);
-  if (!hardware.fingers.empty()) {
-    text += fmt::format(", {} with values of their own", plural(hardware.fingers.size(), "finger"));
-  }
-  if (!hardware.contacts.empty()) {
-    text +=
-        fmt::format(", {} with values of their own", plural(hardware.contacts.size(), "contact"));
-  }
-  return text;
+  return text + own_values_words(hardware.fingers.size(), "finger") +
+         own_values_words(hardware.contacts.size(), "contact");
 }
 
 void question(const std::string& where, double angle_rad, std::vector<std::string>& notes) {
@@ -46,7 +46,7 @@ void question(const std::string& where, double angle_rad, std::vector<std::strin
 
 std::string assumed_text(const Model& model) {
   const char* const law =
-      model.effects.empty() ? "capstan friction alone" : "capstan friction with effects";
+      model.effects.empty() ? "only capstan friction" : "capstan friction with effects";
   return fmt::format("Assumed: {}; {}", friction_words(effective_hardware(model)), law);
 }
 

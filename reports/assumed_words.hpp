@@ -8,7 +8,7 @@
 
 namespace reeve::reports {
 
-// "Assumed: tubes mu 0.18 over 180 deg, …; capstan friction alone"
+// "Assumed: tubes mu 0.18 over 180 deg, …; only capstan friction"
 std::string assumed_text(const Model& model);
 
 // A sentence for each angle of so many turns that degrees may be meant.

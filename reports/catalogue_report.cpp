@@ -27,11 +27,10 @@ Document catalogue_sheet(const std::vector<ListedMechanism>& list) {
                mechanism.sizes.size() > 1 ? sizes_text(mechanism) : "",
                std::to_string(mechanism.printed), std::to_string(mechanism.agree)});
   }
-  return {
-      {{"",
-        table,
-        {{"like: fingers that reeve show --like NAME --fingers N writes it for; printed: numbers "
-          "that reeve check recomputes"}}}}};
+  return {{{"",
+            table,
+            {{"like: numbers of fingers that reeve show --like NAME --fingers N accepts; printed: "
+              "numbers that reeve check recomputes"}}}}};
 }
 
 std::string catalogue_json(const std::vector<ListedMechanism>& list) {

@@ -39,7 +39,8 @@ Section reasons(const CheckReport& report, const char* title,
 
 Section inferences(const CheckReport& report) {
   Section section{"Coefficients that a printed number gave", std::nullopt, {}};
-  std::vector<std::pair<std::string, std::string>> uses;  // which number, by which mechanisms
+  // printed number, and the mechanisms that use it
+  std::vector<std::pair<std::string, std::string>> uses;
   for (const CheckItem& item : report.items) {
     if (item.inferred_from.empty()) continue;
     const auto same = std::find_if(
@@ -172,10 +173,11 @@ Document check_sheet(const CheckReport& report) {
   }
   document.add(reasons(report, "Why they differ",
                        {CheckStatus::agrees, CheckStatus::explained, CheckStatus::differs}));
-  document.add(reasons(report, "Used: an expression gives them, and its coefficient is from them",
-                       {CheckStatus::used}));
-  document.add(reasons(report, "Refuted: what they would take", {CheckStatus::refuted}));
-  document.add(reasons(report, "Open: they differ, and it is not known why", {CheckStatus::open}));
+  document.add(
+      reasons(report, "Used: a coefficient was inferred from these numbers", {CheckStatus::used}));
+  document.add(
+      reasons(report, "Refuted: what these numbers would require", {CheckStatus::refuted}));
+  document.add(reasons(report, "Open: they differ for an unknown reason", {CheckStatus::open}));
   document.add(inferences(report));
   document.add(misprints(report));
   document.add({"", std::nullopt, {{counts_text(report, "")}}});

@@ -9,7 +9,7 @@
 
 namespace reeve::reports {
 
-// What a checked number is, in words.
+// Describes a checked number:
 // "T3", "share of T3, %", "reliability"
 std::string quantity_text(const CheckedQuantity& quantity);
 // The same, or what the number's source calls it.

@@ -114,9 +114,8 @@ Document compare_sheet(const CompareReport& report) {
   if (data.simulated) opening.lines.push_back(simulated_line());
   opening.lines.push_back(
       {report.model.effects.empty()
-           ? "Nothing is fitted: predicted are the tensions of the model with its hardware as given."
-           : "Nothing is fitted: predicted are the readings of the model with its hardware and "
-             "effects as given."});
+           ? "Nothing is fitted. Predictions use the given hardware."
+           : "Nothing is fitted. Predictions use the given hardware and effects."});
   Document document{{opening}};
   document.add(
       summary_section(report.comparison.tension, "Tensions in N, measured - predicted", "N"));

@@ -1,4 +1,4 @@
-// What reports on measured data have in common: the label of simulated data, notes, fields.
+// Common parts of reports on measured data: the label of simulated data, notes, fields.
 #pragma once
 
 #include <string>

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "readings/columns.hpp"
+#include "readings/fault_list.hpp"
 #include "reports/data_text.hpp"
 #include "reports/output/json.hpp"
 
@@ -44,7 +46,7 @@ Section columns_section(const GuessReport& report) {
     const GuessedColumn& column = guess.columns[i];
     const bool is_unknown = column.kind == GuessKind::unknown;
     table.add({column.name, is_unknown ? "covariate" : column.meaning, first_cell(guess, i),
-               is_unknown ? column.reason : kind_name(column.kind)});
+               column.reason.empty() ? kind_name(column.kind) : column.reason});
   }
   return {"Columns", table, {}};
 }
@@ -76,9 +78,28 @@ Section rows_section(const LoggedSeries& series) {
   return {fmt::format("First samples as understood, of {}", series.size()), table, {}};
 }
 
-std::vector<std::string> missing_words(const GuessReport& report) {
+// Faults of several rows that differ in place and value alone are told once.
+std::vector<std::string> fault_words(const std::vector<InputFault>& faults) {
+  const auto is_equal = [](const InputFault& a, const InputFault& b) {
+    return a.what == b.what && a.expected == b.expected;
+  };
   std::vector<std::string> words;
-  for (const InputFault& fault : report.faults) words.push_back(sentence(fault));
+  for (auto fault = faults.begin(); fault != faults.end(); ++fault) {
+    const auto same = [&](const InputFault& other) { return is_equal(*fault, other); };
+    if (std::any_of(faults.begin(), fault, same)) continue;
+    const auto further = static_cast<std::size_t>(std::count_if(fault + 1, faults.end(), same));
+    // The reader lists so many at most.
+    const char* or_more = faults.size() < most_listed_faults ? "" : " or more";
+    words.push_back(sentence(*fault));
+    if (further == 0) continue;
+    words.back() +=
+        fmt::format(" (and {}{} further row{})", further, or_more, further == 1 ? "" : "s");
+  }
+  return words;
+}
+
+std::vector<std::string> problem_words(const GuessReport& report) {
+  std::vector<std::string> words = fault_words(report.faults);
   if (report.lacks_routing) {
     words.push_back(
         "the routing: --routing with a name of the catalogue or a word such as "
@@ -89,6 +110,7 @@ std::vector<std::string> missing_words(const GuessReport& report) {
 
 std::vector<std::string> assumed_words(const GuessReport& report) {
   std::vector<std::string> words;
+  if (!report.guess.titles.empty()) words.push_back(titles_text(report.guess.titles));
   if (report.lacks_run) words.push_back("all samples are of run 1 (--run)");
   if (report.lacks_held) words.push_back("no finger is held (--held)");
   if (report.lacks_motion) {
@@ -120,16 +142,19 @@ Json column_json(const GuessedColumn& column) {
 
 Document guess_document(const GuessReport& report, const std::string& command) {
   Section opening;
-  opening.lines.push_back({fmt::format("{}: {} parted by {}", report.file,
+  opening.lines.push_back({fmt::format("{}: {} separated by {}", report.file,
                                        plural(report.guess.columns.size(), "column"),
                                        separator_name(report.guess.separator))});
   Document document{{opening}};
   document.add(columns_section(report));
   if (report.series) document.add(rows_section(*report.series));
-  document.add(list_section("Missing", missing_words(report)));
+  document.add(list_section("Problems", problem_words(report)));
   document.add(list_section("Assumed", assumed_words(report)));
-  const char* const how = report.can_be_imported() ? "Import it so" : "Then import it so";
-  document.add({how, std::nullopt, {{command}}});
+  if (report.can_be_read()) {
+    const char* const how =
+        report.lacks_routing ? "Import it, with a routing for ROUTING, by" : "Import it with";
+    document.add({how, std::nullopt, {{command}}});
+  }
   return document;
 }
 
@@ -137,10 +162,10 @@ std::string guess_json(const GuessReport& report, const std::string& command) {
   Json json{{"file", report.file}, {"separator", std::string(1, report.guess.separator)}};
   json["columns"] = list_json(report.guess.columns, column_json);
   json["first_rows"] = report.guess.first_rows;
-  json["missing"] = missing_words(report);
+  json["missing"] = problem_words(report);
   json["assumed"] = assumed_words(report);
   json["can_be_imported"] = report.can_be_imported();
-  json["command"] = command;
+  json["command"] = report.can_be_read() ? Json(command) : Json(nullptr);
   json["version"] = version_json();
   return print(json);
 }

@@ -8,7 +8,7 @@
 
 namespace reeve::reports {
 
-// `command` imports the log by this mapping.
+// `command` imports the log by this mapping; it is given only where that can succeed.
 Document guess_document(const GuessReport& report, const std::string& command);
 std::string guess_json(const GuessReport& report, const std::string& command);
 

@@ -21,7 +21,7 @@ Table force_table(const ShownHand& hand) {
     table.columns.push_back(number_column(fmt::format("finger {}", finger.finger), "N/N"));
   }
   table.columns.push_back(number_column("motor", "N"));
-  table.columns.push_back(number_column("asked by"));
+  table.columns.push_back(number_column("limiting finger"));
   table.columns.push_back(number_column("frictionless", "N"));
   for (const ShownHandGrasp& grasp : hand.grasps) {
     std::vector<std::string> cells{to_text(grasp.grasp)};
@@ -34,7 +34,7 @@ Table force_table(const ShownHand& hand) {
   return table;
 }
 
-// Of the finger at this place, over the grasps.
+// Returns the least value of the finger at this place, over the grasps.
 template <typename Get>
 double least_force(const ShownHand& hand, std::size_t place, Get get) {
   double least = get(hand.grasps.front().fingers[place]);
@@ -46,7 +46,7 @@ double least_force(const ShownHand& hand, std::size_t place, Get get) {
 
 Table finger_table(const ShownHand& hand) {
   Table table{{number_column("finger"), number_column("excursion", "mm"),
-               number_column("closes", "%"), number_column("wanted", "N")},
+               number_column("closes, %"), number_column("wanted", "N")},
               {}};
   const bool has_force = std::isfinite(hand.demand.force_N);
   if (has_force) {
@@ -80,7 +80,7 @@ void add_force_lines(const MotorDemand& demand, std::vector<DocumentLine>& lines
     return;
   }
   lines.push_back(
-      {fmt::format("Nominal motor force {:.4g} N: finger {} asks for it, at its joint {}, with "
+      {fmt::format("Nominal motor force {:.4g} N: finger {} sets it, at its joint {}, with "
                    "held {}. Friction costs {} of it: without, {:.4g} N would do",
                    demand.force_N, demand.weakest, demand.joint + 1, to_text(demand.grasp),
                    percent(demand.friction_cost()), demand.frictionless_N)});
@@ -111,19 +111,6 @@ void add_motion_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
                                *hand.motor.spool_radius_mm, *demand.torque_Nm, *demand.spool_rpm)});
 }
 
-void add_stroke_line(const ShownHand& hand, std::vector<DocumentLine>& lines) {
-  const std::optional<double>& limit = hand.motor.stroke_mm;
-  const MotorDemand& demand = hand.demand;
-  // An earlier line says already that there is no stroke.
-  if (!limit || !demand.can_move()) return;
-  const bool enough = demand.stroke_mm <= *limit;
-  const char* where_enough = demand.closure < 1 ? "enough for as far as the hand closes" : "enough";
-  lines.push_back({fmt::format("The motor's stroke of {:.4g} mm is {}: {} of it {} needed", *limit,
-                               enough ? where_enough : "not enough",
-                               percent(demand.stroke_mm / *limit), enough ? "are" : "would be"),
-                   !enough});
-}
-
 // ": finger 2 closes least"; nothing where all close alike.
 std::string last_text(const StrokeReach& reach) {
   if (reach.last.size() == reach.closed.size()) return "";
@@ -131,7 +118,7 @@ std::string last_text(const StrokeReach& reach) {
   return fmt::format(": fingers {} close least", fmt::join(reach.last, ", "));
 }
 
-// What the motor that there is does, where it does not meet the wish, and where it does more.
+// Adds lines on the given motor: its fingertip forces, and its closure if the stroke is too short.
 void add_reach_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
   if (hand.force_reach && hand.force_reach->weakest > 0) {
     const ForceReach& reach = *hand.force_reach;
@@ -207,7 +194,6 @@ Json motor_json(const ShownHand& hand) {
   const auto of_motion = [&](double value) {
     return demand.can_move() ? number(value) : Json(nullptr);
   };
-  const auto reaches = [&](double most) { return Json(demand.stroke_mm <= most); };
   return {
       {"force_N", number(demand.force_N)},
       {"frictionless_N", number(demand.frictionless_N)},
@@ -227,8 +213,6 @@ Json motor_json(const ShownHand& hand) {
       {"torque_Nm", value_or_null(demand.torque_Nm, number)},
       {"spool_rpm", demand.can_move() ? value_or_null(demand.spool_rpm, number) : Json(nullptr)},
       {"drawn", motor_force_json(hand.drawn, hand.motor)},
-      {"stroke_is_enough",
-       demand.can_move() ? value_or_null(hand.motor.stroke_mm, reaches) : Json(nullptr)},
       {"force_reach", value_or_null(hand.force_reach, force_reach_json)},
       {"stroke_reach", value_or_null(hand.stroke_reach, stroke_reach_json)}};
 }
@@ -240,7 +224,6 @@ std::vector<Section> hand_sections(const ShownHand& hand) {
   add_force_lines(hand.demand, lines);
   for (const DocumentLine& line : motor_lines(hand.drawn, hand.motor)) lines.push_back(line);
   add_motion_lines(hand, lines);
-  add_stroke_line(hand, lines);
   add_reach_lines(hand, lines);
   std::vector<Section> sections{
       {"Hand: fingertip force per newton of motor tension, springs aside, and the motor tension\n"

@@ -1,4 +1,4 @@
-// What a routing makes of a hand, for people and programs.
+// Report of a routing in a hand, for people and programs.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// What was made of a logger's time series: a summary for people and programs, and the readings as a
-// file of measured data (docs/data.md).
+// Report of an imported logger's time series: a summary for people and programs, and the readings
+// as a file of measured data (docs/data.md).
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What became of the samples of a log, and its columns, in words.
+// Uses of a log's samples, and its columns, in words.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace reeve::reports {
 // "the carriage stands"
 const char* sample_use_words(SampleUse use);
 
-// Of a column of a tension, without its unit: "T1", "Ta".
+// Returns the name of a tension's column, without its unit: "T1", "Ta".
 std::string tension_words(const LoggedSignal& tension);
 
 // Parallel to all_sample_uses.

@@ -29,7 +29,7 @@ std::string jam_sentence(const std::vector<Grasp>& smallest, const ObjectiveValu
   if (fingers == 0) return "It has no finger that an object could hold";
   const double jams = value(values, Objective::jams_all);
   if (!std::isfinite(jams)) return "It has too many fingers to try in which grasps it jams";
-  if (smallest.empty()) return "It never jams";
+  if (smallest.empty()) return "It never jams unless all fingers are held";
   if (smallest.front() == Grasp{}) return "It jams in every grasp";
   std::string text;
   const std::size_t named = std::min(named_jams, smallest.size());
@@ -43,7 +43,7 @@ std::string jam_sentence(const std::vector<Grasp>& smallest, const ObjectiveValu
 
 std::string jams_field(const std::vector<Grasp>& smallest) {
   std::string field;
-  for (const Grasp grasp : smallest) {
+  for (const Grasp& grasp : smallest) {
     field += fmt::format("{}{}", field.empty() ? "" : " ",
                          grasp == Grasp{} ? "none" : held_field(grasp));
   }

@@ -13,7 +13,8 @@ namespace reeve::reports {
 // "fingers 1 and 2 are both held"
 std::string held_words(Grasp grasp);
 
-// "It never jams", "It jams when fingers 1 and 2 are both held (3 of 15 grasps)"
+// "It never jams unless all fingers are held", "It jams when fingers 1 and 2 are both held (3 of 15
+// grasps)"
 std::string jam_sentence(const std::vector<Grasp>& smallest, const ObjectiveValues& values,
                          int fingers);
 

@@ -60,7 +60,7 @@ Change change_over_range(const Term& term, const std::vector<double>& values) {
 }
 
 std::string verb(const Term& term, const std::vector<double>& values) {
-  constexpr double hardly = 0.1;  // of the whole change
+  constexpr double hardly = 0.1;  // share of the whole change
   const Change change = change_over_range(term, values);
   if (change.fall <= hardly * change.rise) return "grows with";
   if (change.rise <= hardly * change.fall) return "falls with";

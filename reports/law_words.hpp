@@ -13,7 +13,8 @@ namespace reeve::reports {
 // range seen.
 std::string law_meaning(const Term& term, const std::vector<double>& values);
 
-// Of a parameter, by its place: "1/humidity_pct", where a column's unit goes by its name.
+// Returns the unit of a parameter, by its place: "1/humidity_pct", where a column's unit goes by
+// its name.
 std::string law_unit(const Term& term, std::size_t parameter);
 
 // site, acts_on, covariate, form, middle, range: lists of two in a product, null in a constant.

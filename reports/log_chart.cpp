@@ -12,7 +12,7 @@
 namespace reeve::reports {
 namespace {
 
-// Of the chart, in time: finer than a reader can see.
+// Number of steps of the chart in time; a reader cannot see finer ones.
 constexpr std::size_t most_steps = 600;
 
 class LogChart {
@@ -45,7 +45,7 @@ class LogChart {
   }
 
  private:
-  // Where the clock is set back, time goes on from what it had reached.
+  // If the clock is set back, time goes on from the latest time before.
   void lay_out_time() {
     double offset = 0;
     for (std::size_t i = 0; i < series_.size(); ++i) {

@@ -16,12 +16,13 @@ std::string force_text(double force_N) {
 }
 
 std::string enough_text(const MotorForce& force, double motor_N) {
-  const std::string motor = fmt::format("by the latter the motor's {:.4g} N ", motor_N);
-  if (!std::isfinite(force.p95_N)) return motor + "is not enough";
-  const std::string share = percent(force.p95_N / motor_N);
-  return force.is_met_by(motor_N)
-             ? fmt::format("{}is enough, {} of it are needed", motor, share)
-             : fmt::format("{}is not enough, {} of it would be needed", motor, share);
+  const std::string motor = fmt::format("The motor's {:.4g} N is ", motor_N);
+  if (!std::isfinite(force.p95_N)) {
+    return motor + "too little: in more than 5 % of the draws no force is enough";
+  }
+  return fmt::format("{}{}: 95 % of the draws need up to {} of it", motor,
+                     force.is_met_by(motor_N) ? "enough" : "too little",
+                     percent(force.p95_N / motor_N));
 }
 
 DocumentLine motor_line(const MotorForce& force, const MotorParts& motor) {
@@ -29,7 +30,18 @@ DocumentLine motor_line(const MotorForce& force, const MotorParts& motor) {
       fmt::format("Motor force: {} nominal, {} in 95 % of {} draw{}", force_text(force.nominal_N),
                   force_text(force.p95_N), force.draws, force.draws == 1 ? "" : "s");
   if (!motor.force_N) return {text};
-  return {text + "; " + enough_text(force, *motor.force_N), !force.is_met_by(*motor.force_N)};
+  return {text + ". " + enough_text(force, *motor.force_N), !force.is_met_by(*motor.force_N)};
+}
+
+// Returns no lines if the hand cannot move at all, which other lines say.
+std::vector<DocumentLine> stroke_lines(const MotorForce& force, const MotorParts& motor) {
+  if (!motor.stroke_mm || !std::isfinite(force.stroke_mm)) return {};
+  const bool enough = force.stroke_mm <= *motor.stroke_mm;
+  const char* where_enough = force.closure < 1 ? "enough for as far as the hand closes" : "enough";
+  return {{fmt::format("The motor's stroke of {:.4g} mm is {}: {} of it {} needed",
+                       *motor.stroke_mm, enough ? where_enough : "not enough",
+                       percent(force.stroke_mm / *motor.stroke_mm), enough ? "is" : "would be"),
+           !enough}};
 }
 
 }  // namespace
@@ -37,27 +49,22 @@ DocumentLine motor_line(const MotorForce& force, const MotorParts& motor) {
 std::vector<DocumentLine> motor_lines(const std::optional<MotorForce>& force,
                                       const MotorParts& motor) {
   if (!force) return {};
-  return {motor_line(*force, motor)};
-}
-
-std::vector<DocumentLine> stroke_lines(const ObjectiveValues& values, const MotorParts& motor) {
-  const double stroke = value(values, Objective::stroke);
-  if (!has_hand(values) || !motor.stroke_mm || stroke <= *motor.stroke_mm) return {};
-  const std::string wanted =
-      std::isfinite(stroke) ? fixed(stroke, 1) + " mm would be needed" : "none is";
-  return {{fmt::format("The motor's stroke of {:.4g} mm is not enough as it is sized: {}",
-                       *motor.stroke_mm, wanted),
-           true}};
+  std::vector<DocumentLine> lines = stroke_lines(*force, motor);
+  lines.insert(lines.begin(), motor_line(*force, motor));
+  return lines;
 }
 
 Json motor_force_json(const std::optional<MotorForce>& force, const MotorParts& motor) {
   if (!force) return nullptr;
   const auto is_enough = [&](double motor_N) { return Json(force->is_met_by(motor_N)); };
+  const auto reaches = [&](double most_mm) { return Json(force->stroke_mm <= most_mm); };
   return {{"nominal_N", number(force->nominal_N)},
           {"p95_N", number(force->p95_N)},
           {"draws", force->draws},
           {"seed", force->seed},
-          {"is_enough", value_or_null(motor.force_N, is_enough)}};
+          {"is_enough", value_or_null(motor.force_N, is_enough)},
+          {"stroke_mm", number(force->stroke_mm)},
+          {"stroke_is_enough", value_or_null(motor.stroke_mm, reaches)}};
 }
 
 }  // namespace reeve::reports

@@ -1,4 +1,5 @@
-// Tells the force that a motor must have, and whether it does, in the same words everywhere.
+// Tells the force and the stroke that a motor must have, and whether it does, in the same words
+// everywhere.
 #pragma once
 
 #include <optional>
@@ -11,13 +12,11 @@
 
 namespace reeve::reports {
 
-// "Motor force: 65.8 N nominal, 84.2 N in 95 % of 1000 draws; by the latter the motor's 80 N is not
-// enough, 105.3 % of it would be needed". Returns no lines without a force.
+// "Motor force: 65.8 N nominal, 84.2 N in 95 % of 1000 draws. The motor's 80 N is not enough for
+// 95 % of the draws, which take 105 % of it", and a line likewise of its stroke. Returns no lines
+// without a force.
 std::vector<DocumentLine> motor_lines(const std::optional<MotorForce>& force,
                                       const MotorParts& motor);
-
-// Says that the motor's stroke is too short, if it is.
-std::vector<DocumentLine> stroke_lines(const ObjectiveValues& values, const MotorParts& motor);
 
 Json motor_force_json(const std::optional<MotorForce>& force, const MotorParts& motor);
 

@@ -25,7 +25,7 @@ const char* meaning(Finding finding, bool hides_nothing) {
   return "";
 }
 
-// What was named besides what is hidden, or cannot be told from it.
+// Returns the named causes, and the groups that cannot be told apart.
 std::string named_text(const PowerTrial& trial) {
   std::string text = fmt::format("{}", fmt::join(trial.named, ", "));
   for (const std::vector<std::string>& group : trial.indistinguishable) {

@@ -93,8 +93,8 @@ Section margin_section(const RankReport& report) {
                fixed(margin.at.bearing.mu, 5), fixed(margin.at.sheath.angle_rad, 2)});
   }
   return {
-      "Lead of the first, in mean uniformity x mean efficiency, and where in the ranges of the\n"
-      "coefficients it is least; below 0 the order turns there",
+      "Lead of the best design in mean uniformity x mean efficiency, and the coefficients within\n"
+      "their ranges at which it is least; below 0 the order changes there",
       table,
       {}};
 }
@@ -137,7 +137,7 @@ Document rank_document(const RankReport& report, const ListColumns& wanted) {
     }
   }
   lines.push_back({order_text(report.order, report.score) +
-                   "; uniformity and efficiency as mean/worst over the grasps " +
+                   "; uniformity and efficiency as mean/worst over the grasps (held fingers) " +
                    to_text(report.grasps)});
   const std::vector<ListedDesign> shown = one_of_each(report.designs);
   Document document{

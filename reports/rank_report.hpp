@@ -9,7 +9,7 @@
 
 namespace reeve::reports {
 
-// Where columns are chosen, of the tables the ranking alone.
+// If columns are chosen, the only table is the ranking.
 Document rank_document(const RankReport& report, const ListColumns& columns = {});
 std::string rank_json(const RankReport& report);
 

@@ -11,10 +11,9 @@
 namespace reeve::reports {
 namespace {
 
-// Of what follows "their shares of its pull".
+// Follows "their shares of its pull".
 constexpr const char* assumption =
-    "are those of tendons of one stiffness that are mounted without slack; one that is slack or "
-    "stretches more carries less";
+    "assume equal stiffness and no slack; a slack or softer tendon carries less";
 
 std::string listed_ranks(const std::vector<std::size_t>& ranks) {
   std::string text = "Ranks ";

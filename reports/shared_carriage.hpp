@@ -1,4 +1,4 @@
-// What is said of routings of which several tendons, or trees of tendons, hang on one carriage.
+// Notes on routings of which several tendons, or trees of tendons, hang on one carriage.
 //
 // Within a tree the statics alone say how tensions stand to each other. Between trees they do not:
 // the model has all take up the same fraction of their travel, as tendons of one stiffness (EA) do
@@ -21,7 +21,8 @@ int tree_count(const Network& network);
 // "2 tendons hang on one carriage: …"; "" of one tree.
 std::string shared_carriage_text(const Network& network);
 
-// Of a list that is shown: which of its ranks are meant; no line if there are none.
+// Returns a note with the ranks that are meant, for a list that is shown; no line if there are
+// none.
 std::vector<DocumentLine> shared_carriage_lines(const std::vector<ListedDesign>& shown);
 
 }  // namespace reeve::reports

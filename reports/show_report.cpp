@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/contact_name.hpp"
 #include "core/motor_sides.hpp"
 #include "core/text.hpp"
 #include "drawing/schematic/schematic_svg.hpp"
@@ -24,6 +25,12 @@ std::string sliding(const Network& network, const ContactEnds& ends, double slip
   return slip > 0 ? left + "->" + right : right + "->" + left;
 }
 
+// "tube", "tube 90°"
+std::string kind_text(const Contact& contact) {
+  const std::string kind = contact_kind_name(contact.kind);
+  return contact.angle.is_given() ? fmt::format("{} {}°", kind, contact.angle.degrees()) : kind;
+}
+
 template <typename Visit>
 void for_each_contact(const Network& network, Visit visit) {
   for (const TendonSpan& tendon : network.tendons) {
@@ -35,7 +42,7 @@ void for_each_contact(const Network& network, Visit visit) {
 
 Json grasp_json(const Network& network, const ShownGrasp& shown) {
   Json json{{"held", held_fingers(shown.grasp)}, {"jams", shown.state.jams}};
-  add_carriages(json, shown.grasp);
+  add_ends(json, shown.grasp);
   if (carriage_count(network) > 1) {
     json["motors"] = list_json(motor_tensions(network, shown.state), number);
   }
@@ -49,11 +56,14 @@ Json grasp_json(const Network& network, const ShownGrasp& shown) {
   }
   json["contacts"] = Json::array();
   for_each_contact(network, [&](const ContactEnds& ends, std::size_t contact) {
-    json["contacts"].push_back(
-        {{"between",
-          {segment_name(network.segments[ends.left]), segment_name(network.segments[ends.right])}},
-         {"kind", contact_kind_name(network.contacts[contact].kind)},
-         {"slides", sliding(network, ends, shown.state.slip[contact])}});
+    Json one{
+        {"between",
+         {segment_name(network.segments[ends.left]), segment_name(network.segments[ends.right])}},
+        {"kind", contact_kind_name(network.contacts[contact].kind)},
+        {"slides", sliding(network, ends, shown.state.slip[contact])}};
+    const WrapAngle angle = network.contacts[contact].angle;
+    if (angle.is_given()) one["angle_deg"] = angle.degrees();
+    json["contacts"].push_back(std::move(one));
   });
   json["uniformity"] = number(shown.performance.uniformity);
   json["efficiency"] = number(shown.performance.efficiency);
@@ -65,7 +75,7 @@ const char* direction_name(Direction direction) {
   return direction == Direction::pull ? "pull" : "release";
 }
 
-std::string heading(const ShownRouting& report) {
+std::string heading(const SolvedRouting& report) {
   std::string text = report.name.empty() ? report.word : report.name + "  " + report.word;
   if (report.canonical != report.word) text += "  (canonical " + report.canonical + ")";
   return text;
@@ -81,7 +91,7 @@ std::string held_text(const ShownGrasp& shown) {
   return to_text(shown.grasp) + (shown.state.jams ? " (jams)" : "");
 }
 
-Table tension_table(const ShownRouting& report) {
+Table tension_table(const SolvedRouting& report) {
   Table table{{text_column("held")}, {}};
   for (const Segment& segment : report.network.segments) {
     table.columns.push_back(number_column(segment_name(segment), "N/N"));
@@ -109,7 +119,7 @@ Table tension_table(const ShownRouting& report) {
   return table;
 }
 
-Table share_table(const ShownRouting& report) {
+Table share_table(const SolvedRouting& report) {
   const std::vector<Segment>& segments = report.network.segments;
   Table table{{text_column("held")}, {}};
   for (const Segment& segment : segments) {
@@ -128,7 +138,7 @@ Table share_table(const ShownRouting& report) {
   return table;
 }
 
-Table contact_table(const ShownRouting& report) {
+Table contact_table(const SolvedRouting& report) {
   Table table{{text_column("contact"), text_column("kind")}, {}};
   for (const ShownGrasp& shown : report.grasps) {
     table.columns.push_back(text_column("held " + to_text(shown.grasp)));
@@ -150,7 +160,7 @@ Table objective_list(const ShownRouting& report) {
     if (!is_there(row, values)) continue;
     if (row.objective == Objective::cost && !report.prices) continue;
     const bool priced = row.objective == Objective::cost && !report.prices->unit.empty();
-    constexpr int at_least = 3;
+    const int at_least = row.is_count() ? 0 : 3;
     const double shown = value(values, row.objective);
     table.add({row.name, fixed(shown, shown_decimals(row.objective, shown, at_least)),
                priced ? report.prices->unit : row.unit, row.meaning});
@@ -165,8 +175,28 @@ std::optional<double> spool_ratio(const Hardware& hardware, const std::string& s
   return std::nullopt;
 }
 
+// Between holds what stands between a motor-side segment and its motor.
+// spring.
+struct Between {
+  std::optional<double> spool;
+  std::optional<double> spring_N_mm;
+  std::optional<double> slack_mm;
+};
+
+Between between(const Network& network, const Hardware& hardware, std::size_t side) {
+  Between result{spool_ratio(hardware, segment_name(network.segments[side])), {}, {}};
+  for (const TendonHardware& own : hardware.tendon.own) {
+    const TendonSpan& tendon = network.tendons[static_cast<std::size_t>(own.tendon) - 1];
+    if (side < tendon.first_segment || side >= tendon.first_segment + tendon.segments) continue;
+    if (find_motor_end(network, network.segments[side])) result.spring_N_mm = own.stiffness_N_mm;
+    result.slack_mm = own.slack_mm;
+  }
+  return result;
+}
+
 // "a at T1, b at T4": which letter is where, since letters run in walk order; of several motors
-// "a at T1 (M), b at T4 (M2)"; on a spool of its own "b at T4 (spool 0.5)".
+// "a at T1 (M), b at T4 (M2)"; on a spool of its own "b at T4 (spool 0.5)", and likewise a spring
+// or slack.
 std::string letter_key(const Network& network, const Hardware& hardware) {
   const bool several = carriage_count(network) > 1;
   std::string key;
@@ -174,7 +204,10 @@ std::string letter_key(const Network& network, const Hardware& hardware) {
     const std::string name = segment_name(network.segments[side.motor_side]);
     key += (key.empty() ? "" : ", ") + name + " at " + segment_name(network.segments[side.hand]);
     if (several) key += " (" + motor_name(network.segments[side.motor_side].carriage) + ")";
-    if (const auto spool = spool_ratio(hardware, name)) key += fmt::format(" (spool {})", *spool);
+    const auto [spool, spring_N_mm, slack_mm] = between(network, hardware, side.motor_side);
+    if (spool) key += fmt::format(" (spool {})", *spool);
+    if (spring_N_mm) key += fmt::format(" (spring {} N/mm)", *spring_N_mm);
+    if (slack_mm) key += fmt::format(" (slack {} mm)", *slack_mm);
   }
   return key;
 }
@@ -185,21 +218,21 @@ Json letter_key_json(const Network& network, const Hardware& hardware) {
     const std::string name = segment_name(network.segments[side.motor_side]);
     Json json{{"segment", name}, {"beside", segment_name(network.segments[side.hand])}};
     if (several) json["motor"] = network.segments[side.motor_side].carriage;
-    if (const auto spool = spool_ratio(hardware, name)) json["spool"] = *spool;
+    const auto [spool, spring_N_mm, slack_mm] = between(network, hardware, side.motor_side);
+    if (spool) json["spool"] = *spool;
+    if (spring_N_mm) json["spring_N_mm"] = *spring_N_mm;
+    if (slack_mm) json["slack_mm"] = *slack_mm;
     return json;
   });
 }
 
 }  // namespace
 
-std::vector<ShownContact> shown_contacts(const ShownRouting& report) {
+std::vector<ShownContact> shown_contacts(const SolvedRouting& report) {
   const Network& network = report.network;
   std::vector<ShownContact> contacts;
   for_each_contact(network, [&](const ContactEnds& ends, std::size_t contact) {
-    contacts.push_back({segment_name(network.segments[ends.left]) + "-" +
-                            segment_name(network.segments[ends.right]),
-                        contact_kind_name(network.contacts[contact].kind),
-                        {}});
+    contacts.push_back({contact_name(network, contact), kind_text(network.contacts[contact]), {}});
     for (const ShownGrasp& shown : report.grasps) {
       contacts.back().slides.push_back(sliding(network, ends, shown.state.slip[contact]));
     }
@@ -259,7 +292,7 @@ Json to_json(const ShownRouting& report) {
 
 std::string show_json(const ShownRouting& report) { return print_stamped(to_json(report)); }
 
-std::string show_svg(const ShownRouting& report, const ShownGrasp* shown) {
+std::string show_svg(const SolvedRouting& report, const ShownGrasp* shown) {
   const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;
   if (shown == nullptr) return schematic_svg(schematic(report.network, title));
   const GraspView view{shown->grasp, report.direction, shown->state};

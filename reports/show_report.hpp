@@ -16,12 +16,12 @@ struct ShownContact {
   std::string kind;
   std::vector<std::string> slides;
 };
-std::vector<ShownContact> shown_contacts(const ShownRouting& report);
+std::vector<ShownContact> shown_contacts(const SolvedRouting& report);
 
 Document show_document(const ShownRouting& report);
 Json to_json(const ShownRouting& report);
 std::string show_json(const ShownRouting& report);
 // The routing's schematic: in one grasp, or without any its parts alone.
-std::string show_svg(const ShownRouting& report, const ShownGrasp* shown);
+std::string show_svg(const SolvedRouting& report, const ShownGrasp* shown);
 
 }  // namespace reeve::reports

@@ -13,9 +13,9 @@ namespace reeve::reports {
 
 // At least as many as are asked for.
 int shown_decimals(Objective objective, double value, int at_least);
-// Those of the objective.
+// Returns the decimals of the objective for this value.
 int shown_decimals(Objective objective, double value);
-// Of a column: as many as any of its cells takes.
+// Returns the decimals of a column: as many as any of its cells takes.
 int shown_decimals(Objective objective, const std::vector<ListedDesign>& designs);
 
 // "-" if it is none.

@@ -9,7 +9,7 @@
 namespace reeve::reports {
 
 std::string simulation_csv(const SimulationReport& report);
-// What was written, in one line.
+// Summarizes the written file in one line.
 std::string simulation_summary(const SimulationReport& report, const std::string& file);
 
 // "wear (change = -0.4, cycles = 300)" for each effect; "no cause" without any.

@@ -29,8 +29,8 @@
 namespace reeve::reports {
 namespace {
 
-// Those of the goal and what is always shown; of a hand also what its motor must do, whatever it
-// was sized for.
+// Returns the objectives of the goal and those always shown. With a hand, these include the motor's
+// demand, whatever it was sized for.
 std::vector<Objective> objectives_of(const SizingReport& report) {
   std::vector<Objective> goal = report.options.goal.factors;
   if (hand(report.options.nominal.hardware)) {
@@ -46,12 +46,10 @@ std::vector<Objective> objectives_of(const SizingReport& report) {
 std::vector<DocumentLine> demand_lines(const SizingReport& report) {
   const MotorParts& motor = report.options.nominal.hardware.motor;
   const SizedGoal& sized = report.designs.front().design.after;
-  std::vector<DocumentLine> lines = motor_lines(sized.motor, motor);
-  for (const DocumentLine& line : stroke_lines(sized.values, motor)) lines.push_back(line);
-  return lines;
+  return motor_lines(sized.motor, motor);
 }
 
-// Of the best design, at the nominal coefficients.
+// Objectives of the best design, at the nominal coefficients.
 Section objective_section(const SizingReport& report) {
   Table table{{text_column("objective"), text_column("unit"), number_column("before"),
                number_column("sized")},
@@ -86,7 +84,7 @@ std::vector<DocumentLine> opening_lines(const SizingReport& report) {
   return lines;
 }
 
-// Of the ranking; with all objectives of the sized designs where columns are chosen.
+// The ranking; if columns are chosen, with all objectives of the sized designs.
 Table sized_table(const SizingReport& report, bool all) {
   Table table{{number_column("rank"), number_column("before"), text_column("name"),
                text_column("routing"), number_column("goal before"), number_column("goal sized")},
@@ -124,7 +122,7 @@ Section ranking_section(const SizingReport& report) {
 
 std::string off(const std::optional<double>& way) { return way ? short_number(*way) : "any"; }
 
-// Where no limit was found for it alone, what it was tried with is none either.
+// If no limit was found for the dimension alone, the end of the trial is a lower bound (≥).
 std::string off_together(double way, const std::optional<double>& alone) {
   return alone ? short_number(way) : "≥ " + short_number(way);
 }
@@ -162,11 +160,11 @@ constexpr std::array variable_columns{
     VariableColumn{"greatest", "greatest", false, true, 0},
     VariableColumn{"before", "before", false, true, 0},
     VariableColumn{"sized", "sized", false, true, 0},
-    VariableColumn{"less", "may be less by", false, true, 0},
-    VariableColumn{"more", "more by", false, true, 0},
-    VariableColumn{"together_less", "all at once less by", false, true, 0},
-    VariableColumn{"together_more", "more by", false, true, 0},
-    VariableColumn{"stands", "stands", true, true, 1},
+    VariableColumn{"less", "tolerance -", false, true, 0},
+    VariableColumn{"more", "tolerance +", false, true, 0},
+    VariableColumn{"together_less", "all at once -", false, true, 0},
+    VariableColumn{"together_more", "all at once +", false, true, 0},
+    VariableColumn{"stands", "position", true, true, 1},
     VariableColumn{"slope_less", "slope, less", false, false, 0},
     VariableColumn{"slope_more", "slope, more", false, false, 0}};
 
@@ -192,7 +190,7 @@ std::array<std::string, variable_columns.size()> variable_cells(const SizedDesig
           short_number(of.slope_more)};
 }
 
-// Of one dimension alone, all at once is no more than itself.
+// If there is one dimension only, the columns for all at once are left out.
 Table variable_table(const SizedDesign& design, bool all) {
   const bool together = design.together && design.variables.size() > 1;
   const auto is_shown = [&](const VariableColumn& column) {
@@ -216,7 +214,7 @@ Table variable_table(const SizedDesign& design, bool all) {
 }
 
 std::string flat_text(const SizedDesign& design, const FlatDirection& flat) {
-  return fmt::format("Flat: moving {}, or back, costs {}", moves_text(design, flat.moves),
+  return fmt::format("Flat direction: {} (or back) costs {}", moves_text(design, flat.moves),
                      flat.loss < 1e-6 ? "nothing" : fmt::format("{:.2g}", flat.loss));
 }
 
@@ -229,7 +227,7 @@ std::size_t worst_finger(const std::vector<double>& target, const std::vector<do
   return worst;
 }
 
-// Of a target: what is possible at the nominal coefficients.
+// Returns the possible shares of a target at the nominal coefficients.
 DocumentLine target_line(const SizingOptions& options, const SizedDesign& design) {
   const std::vector<double>& target = options.goal.target;
   const std::size_t worst = worst_finger(target, design.nearest_shares);
@@ -268,7 +266,7 @@ Section best_section(const SizingReport& report) {
   if (design.least_miss) section.lines.push_back(target_line(report.options, design));
   if (!report.partial && !design.variables.empty()) {
     section.lines.push_back(
-        {"A dimension may be off by so much, alone, " + tolerance_text(report.options)});
+        {"Tolerance: change of one dimension alone that costs " + tolerance_text(report.options)});
     const std::string together = together_text(report.options, design);
     if (!together.empty()) section.lines.push_back({together});
     const std::string any = any_text(design);
@@ -289,7 +287,8 @@ Section shares_section(const SizingReport& report) {
     table.add({std::to_string(f + 1), fixed(goal.target[f], 4), fixed(design.before.shares[f], 4),
                fixed(design.after.shares[f], 4)});
   }
-  return {"Shares of the fingers in all pull, at the nominal coefficients", table, {}};
+  return {
+      "Shares of the fingers in the sum of their pulls, at the nominal coefficients", table, {}};
 }
 
 }  // namespace

@@ -13,27 +13,27 @@
 
 namespace reeve::reports {
 
-// Whether an exploration was made under other settings than those that hold now.
-// What differs, of hardware, model and grasps, by the summary.json of the exploration: "hardware,
-// grasps"; "" if nothing does or if the text is no such file.
+// Compares the present hardware, model and grasps with those of an exploration's summary.json.
+// Returns the names of those that differ: "hardware, grasps"; "" if none does or if the text is no
+// such file.
 std::string differing_settings(const std::string& summary, const Model& model,
                                const GraspSet& grasps);
 
 // Pieces of it, for the document and the page. Without a table or a line one holds nothing.
 struct SizingSections {
   std::vector<DocumentLine> opening;
-  Section ranking;     // where there are several
+  Section ranking;     // if there are several designs
   Section best;        // the dimensions of the best
-  Section shares;      // of a target
+  Section shares;      // shares of a target
   Section objectives;  // before and sized
 };
 SizingSections sizing_sections(const SizingReport& report);
 
-// The ranking, where there are several, and the best of them in full. Where columns are chosen, the
-// one table that has them: the dimensions of the best, or the ranking.
+// The ranking, if there are several designs, and the best of them in full. If columns are chosen,
+// the one table that has them: the dimensions of the best, or the ranking.
 Document sizing_document(const SizingReport& report, const std::vector<std::string>& columns = {});
 
-// What can be chosen of either; no name is in both.
+// Names of the columns that can be chosen in either table; no name is in both.
 std::vector<std::string> dimension_column_names();
 std::vector<std::string> sized_column_names(const Hardware& hardware);
 

@@ -48,8 +48,7 @@ std::string gain_text(const SizingOptions& options, const SizedDesign& design) {
 }
 
 std::string tolerance_text(const SizingOptions& options) {
-  return options.goal.is_target() ? "before shares miss by 0.01 more"
-                                  : "before 1 % of the goal is lost";
+  return options.goal.is_target() ? "0.01 of the shares" : "1 % of the goal";
 }
 
 std::string moves_text(const SizedDesign& design, const std::vector<double>& moves,
@@ -71,9 +70,9 @@ std::string any_text(const SizedDesign& design) {
       });
   if (!any || design.variables.size() == 1 || !design.together) return "";
   return fmt::format(
-      "any: alone, as far as its bounds and their width beyond; ≥: all at once it was tried no "
-      "further than its other side's tolerance (a tenth of its bounds where both are any) times "
-      "{:.3g}",
+      "any: no limit within the bounds and their width beyond; ≥: no limit up to this change, the "
+      "greatest that was tried: {:.3g} times the tolerance of the other side (or a tenth of the "
+      "bounds, if both sides are any)",
       design.together->factor);
 }
 
@@ -81,11 +80,11 @@ std::string together_text(const SizingOptions& options, const SizedDesign& desig
   const JointTolerance& together = *design.together;
   if (design.variables.size() == 1) return "";
   if (together.worst.empty()) {
-    return "All may be off at once by as much: nothing worse was found than one alone";
+    return "All at once: the same tolerances; no combination was found that costs more than one alone";
   }
-  return fmt::format("All may be off at once by {:.3g} of that {}; the worst that was found is {}",
-                     together.factor, tolerance_text(options),
-                     moves_text(design, together.worst, ", "));
+  return fmt::format(
+      "All at once: {:.3g} of these tolerances cost {}; the worst combination found is {}",
+      together.factor, tolerance_text(options), moves_text(design, together.worst, ", "));
 }
 
 }  // namespace reeve::reports

@@ -1,4 +1,4 @@
-// What a sizing says of itself, for tables and files.
+// Words of a sizing, for tables and files.
 #pragma once
 
 #include <string>
@@ -16,9 +16,9 @@ std::string gain_text(const SizingOptions& options, const SizedDesign& design);
 
 // "so far off alone before 1 % of the goal is lost", of a target "before shares miss by 0.01 more".
 std::string tolerance_text(const SizingOptions& options);
-// How far all dimensions may be off at once, in a sentence; the design has tolerances.
-// What "any" beside a number means; "" where there is none beside one.
+// Explains "any" beside a number; "" if no number has it.
 std::string any_text(const SizedDesign& design);
+// Says how far all dimensions may be off at once, in a sentence; the design has tolerances.
 std::string together_text(const SizingOptions& options, const SizedDesign& design);
 // "sheath_angle[1] by +0.3 rad with tip_angle[1,2] by -0.1 rad"
 std::string moves_text(const SizedDesign& design, const std::vector<double>& moves,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/api.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/inputs.hpp"
@@ -25,13 +26,10 @@ struct CatalogueFlags {
 };
 
 void add_options(CLI::App& command, CatalogueFlags& flags) {
-  flags.family.add_to(command,
-                      "One family of the catalogue alone: paper, or a folder of families/");
-  command.add_option("--fingers", flags.fingers, "Only those of so many fingers")
+  flags.family.add_to(command, "Only this family: paper, or a folder of catalog/families");
+  command.add_option("--fingers", flags.fingers, "Only mechanisms with this number of fingers")
       ->check(CLI::Range(1, max_fingers));
-  flags.out.add_to(command,
-                   "a page with a drawing of each, index.html, with catalogue.json and "
-                   "figures/");
+  flags.out.add_to(command, "index.html with a drawing of each, catalogue.json and figures/");
   flags.format.add_to(command, with_tables({"json"}));
 }
 
@@ -71,10 +69,19 @@ void run(const CatalogueFlags& flags, const CLI::App& command) {
 
 void add_catalogue(CLI::App& program, int&) {
   CLI::App* command = program.add_subcommand(
-      "catalogue", "Known routings and mechanisms by name, with their words and drawings");
+      "catalogue", "List known routings and mechanisms by name, with their words and drawings");
   auto flags = std::make_shared<CatalogueFlags>();
   add_options(*command, *flags);
   command->callback([flags, command] { run(*flags, *command); });
+}
+
+api::ListedCatalogue api::catalogue(const Arguments& arguments) {
+  return {listed(ParsedCommand<CatalogueFlags>("catalogue", add_options, arguments).flags())};
+}
+
+void api::write(const ListedCatalogue& catalogue, const Arguments& arguments) {
+  const ParsedCommand<CatalogueFlags> parsed("catalogue", add_options, arguments);
+  write_page(parsed.flags().out.prepare(), catalogue.mechanisms, parsed.command());
 }
 
 }  // namespace reeve::cli

@@ -31,12 +31,10 @@ struct CheckFlags {
 };
 
 void add_options(CLI::App& command, CheckFlags& flags) {
-  flags.family.add_to(command,
-                      "One family of the catalogue alone: paper, or a folder of families/");
-  flags.svg.add_to(
-      command,
-      "Also draw the routings of the family paper into this file, in the grasps of their published "
-      "numbers");
+  flags.family.add_to(command, "Only this family: paper, or a folder of catalog/families");
+  flags.svg.add_to(command,
+                   "SVG file with a drawing of TR1 to TR7, in the grasp of their published "
+                   "numbers");
   flags.format.add_to(command, with_tables({"json"}));
 }
 
@@ -49,7 +47,8 @@ CheckReport checked(const CheckFlags& flags, const Catalogue& catalogue) {
 void add_check(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand(
       "check",
-      "Recompute every published number of the catalogue, and say where and why they differ");
+      "Recompute the published numbers of the catalogue, and say which differ and "
+      "why");
   auto flags = std::make_shared<CheckFlags>();
   add_options(*command, *flags);
   command->callback([flags, &exit_code] {

@@ -7,7 +7,7 @@
 
 namespace reeve::cli {
 
-// What the process returns to the shell.
+// Exit codes of the process.
 enum ExitCode : int {
   done = 0,
   // A check failed, a log holds no reading, readings are too few to diagnose, a target is out of

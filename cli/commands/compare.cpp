@@ -79,7 +79,7 @@ void add_options(CLI::App& command, CompareFlags& flags) {
 
 void add_compare(CLI::App& program, int&) {
   CLI::App* command = program.add_subcommand(
-      "compare", "Measured tensions beside the model's, as it stands: nothing is fitted");
+      "compare", "Compare measured tensions with the model; nothing is fitted");
   auto flags = std::make_shared<CompareFlags>();
   add_options(*command, *flags);
   command->callback([flags] { run(*flags); });

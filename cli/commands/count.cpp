@@ -35,6 +35,10 @@ CountReport counted(const CountFlags& flags) {
   if (options.identity == FingerIdentity::distinct) {
     throw InputError("--constraint is counted without --distinct-fingers");
   }
+  if (options.parts.motors > 1) throw InputError("--constraint is counted for one motor");
+  if (!options.parts.beside.empty()) {
+    throw InputError("--constraint is counted without --beside-ends");
+  }
   report.limited = for_name("--", [&] { return count_limited(options, report.constraints); });
   return report;
 }
@@ -49,8 +53,8 @@ void add_options(CLI::App& command, CountFlags& flags) {
   flags.generator.add_to(command, false);
   command
       .add_option("--constraint", flags.constraints,
-                  "Also how many meet this, on parts alone, such as 'sheaths<=2'; may be given "
-                  "several times")
+                  "Also count those that meet this constraint on parts, such as 'sheaths<=2'; "
+                  "may be repeated")
       ->allow_extra_args(false);
   flags.format.add_to(command, with_tables({"json"}));
 }
@@ -59,7 +63,7 @@ void add_options(CLI::App& command, CountFlags& flags) {
 
 void add_count(CLI::App& program, int&) {
   CLI::App* command =
-      program.add_subcommand("count", "How many routings a set of parts makes, by formula");
+      program.add_subcommand("count", "Count the routings of a set of parts, by formula");
   auto flags = std::make_shared<CountFlags>();
   add_options(*command, *flags);
   command->callback([flags] { run(*flags); });

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "catalog/model_file.hpp"
 #include "cli/api.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
@@ -42,8 +43,10 @@ struct DiagnoseFlags {
   int threads = 0;
   std::string out;
   std::string save_model;
+  std::string terms;
   CLI::Option* out_given = nullptr;
   CLI::Option* save_model_given = nullptr;
+  CLI::Option* terms_given = nullptr;
   CLI::Option* replicates_given = nullptr;
   ReadingFlags readings;
   HardwareOption hardware;
@@ -72,6 +75,7 @@ DiagnosisSettings settings(const DiagnoseFlags& flags) {
 void require_places(const DiagnoseFlags& flags) {
   std::vector<InputFile> inputs{{flags.data, "the data"}};
   flags.hardware.list_in(inputs);
+  if (flags.terms_given->count() > 0) inputs.push_back({flags.terms, "the terms"});
   if (flags.out_given->count() > 0) {
     require_folder_can_be_written(flags.out, "--out");
     if (std::filesystem::is_directory(flags.out)) {
@@ -105,6 +109,9 @@ std::optional<DiagnosisReport> report(const DiagnoseFlags& flags, const Catalogu
   DiagnosisRequest request;
   request.hardware = flags.hardware.read().hardware;
   request.settings = settings(flags);
+  if (flags.terms_given->count() > 0) {
+    request.settings.terms = read_terms_file(flags.terms, catalogue);
+  }
   request.with_generated = flags.explore;
   request.threads = flags.threads;
   request.data = flags.readings.read(flags.data, catalogue);
@@ -189,38 +196,42 @@ CLI::Validator number(double low, bool or_low, double high) {
 void add_settings(CLI::App& command, DiagnoseFlags& flags) {
   DiagnosisSettings& settings = flags.settings;
   command
-      .add_option(
-          "--alpha", settings.alpha,
-          "Threshold at which a coefficient differs, and at a quarter of which structure is left")
+      .add_option("--alpha", settings.alpha,
+                  "Significance level of a coefficient that differs; a quarter of it for "
+                  "further structure")
       ->check(number(least_alpha, true, 0.5))
       ->capture_default_str();
   command
       .add_option(
           "--hold-out", settings.hold_out,
-          "Share of the runs that are sealed for one last test of the gain (0: each fold of runs is "
-          "forecast by a model that has not seen it)")
+          "Share of the runs held out from the search, for a final test of the gain (0: cross-validation)")
       ->check(number(0, true, 0.9))
       ->capture_default_str();
-  command.add_option("--seed", settings.seed, "Seed: which runs are sealed, and what chance draws")
+  command
+      .add_option("--seed", settings.seed, "Seed of the folds of runs and of simulated data sets")
       ->check(is_seed)
       ->capture_default_str();
   flags.replicates_given =
       command
           .add_option("--replicates", settings.replicates,
-                      "Simulated data sets that a finding is judged by; at least 8 / alpha, which "
-                      "is also the default where it is more")
+                      "Number of simulated data sets by which findings are judged; at least 8 / "
+                      "alpha")
           ->check(CLI::Range(std::size_t{99}, most_replicates))
           ->capture_default_str();
   command
-      .add_option("--mounting-scatter", settings.mounting_scatter,
-                  "How far friction exponents differ from mounting to mounting, as a share such as "
-                  "0.05; 0: not at all (default: as the readings tell, or assumed)")
+      .add_option(
+          "--mounting-scatter", settings.mounting_scatter,
+          "Relative scatter of friction exponents between mountings, such as 0.05 (default: "
+          "estimated)")
       ->check(number(0, true, 1));
+  flags.terms_given = command.add_option(
+      "--terms", flags.terms,
+      "TOML file with laws, [[law]] as in a model file, that the search tries besides its causes");
   command.add_flag("--as-readings", flags.as_readings,
                    "Take each row as a reading even where the file looks like a time series");
   command.add_flag("--explore", flags.explore,
-                   "Choose the next measurement from generated routings too, not only from those "
-                   "of the catalogue and of the data");
+                   "Propose generated routings too for the next measurement, besides those of "
+                   "catalogue and data");
 }
 
 void add_options(CLI::App& command, DiagnoseFlags& flags) {
@@ -229,7 +240,8 @@ void add_options(CLI::App& command, DiagnoseFlags& flags) {
       ->required();
   add_settings(command, flags);
   command
-      .add_option("--threads", flags.threads, "Threads; 0: all. The result does not depend on it")
+      .add_option("--threads", flags.threads,
+                  "Number of threads; 0: all. The result does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   flags.out_given = command.add_option(
@@ -249,7 +261,8 @@ void add_options(CLI::App& command, DiagnoseFlags& flags) {
 void add_diagnose(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand(
       "diagnose",
-      "What the model gets wrong about measured tensions, which cause, and what to measure next");
+      "Find the cause of the residuals of measured tensions, extend the model by "
+      "it, and propose the next measurement");
   auto flags = std::make_shared<DiagnoseFlags>();
   add_options(*command, *flags);
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });

@@ -84,7 +84,7 @@ ExploreInputs read(const ExploreFlags& flags) {
   return inputs;
 }
 
-// Where the exploration goes on and is saved; nothing without --store.
+// The store in which the exploration continues and is saved; nothing without --store.
 class OpenedStore {
  public:
   OpenedStore(const ExploreFlags& flags, const CLI::App& command, const ExploreInputs& inputs)
@@ -158,7 +158,7 @@ void write(const ExploreReport& report, const ExploreFlags& flags, const CLI::Ap
                                 "process; --shard with a store for each keeps all"});
 }
 
-// Who started the processes ends them by SIGTERM, also when one of them has died.
+// The launcher ends the processes by SIGTERM, also if one of them has died.
 void require_all_present(const ExploreReport& report, const ExploreFlags& flags) {
   if (!was_terminated() || partial_note(report).empty()) return;
   const std::string why = "one of the processes died, or all were ended from outside; ";
@@ -166,8 +166,8 @@ void require_all_present(const ExploreReport& report, const ExploreFlags& flags)
                                                   : "nothing was written"));
 }
 
-// What is printed and written is the same of one exploration, of its shards, and of one that
-// several processes search for.
+// The output is the same for one exploration, for its shards, and for one that several processes
+// search for.
 int run(const ExploreInputs& inputs, const ExploreFlags& flags, const CLI::App& command,
         const std::vector<ShardRecord>& records, const std::vector<InputFile>& shards,
         const Searcher& shared = {}) {
@@ -189,7 +189,8 @@ int run(const ExploreInputs& inputs, const ExploreFlags& flags, const CLI::App& 
                   report.sweep ? "sweep.csv, " : "", report.result.record ? "shard.json, " : ""),
       flags.out, flags.format);
   if (!partial_note(report).empty()) return interrupted;
-  const bool none_is_left = report.result.evaluated > 0 && report.top.empty();
+  const bool any_was_actuated = report.result.evaluated + report.result.without_tensions.count > 0;
+  const bool none_is_left = any_was_actuated && report.top.empty();
   return none_is_left || misses_target(report.target) ? answer_is_no : done;
 }
 
@@ -251,7 +252,7 @@ void add_options(CLI::App& command, ExploreFlags& flags) { flags.add_to(command)
 
 void add_explore(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand(
-      "explore", "Every routing that a set of parts allows: evaluated, ranked, written to files");
+      "explore", "Enumerate, evaluate and rank all routings of a set of parts");
   auto flags = std::make_shared<ExploreFlags>();
   flags->add_to(*command);
   command->callback([flags, command, &exit_code] { exit_code = run_launched(*flags, *command); });

@@ -11,7 +11,7 @@
 
 namespace reeve::cli {
 
-// What `explore` with the arguments of the shards finds without --shard.
+// Returns the result of `explore` with the arguments of the shards, but without --shard.
 ExploreReport merged_exploration(const std::vector<ShardFile>& shards,
                                  const std::vector<std::string>& here,
                                  const StudySupervision& supervision);
@@ -21,8 +21,8 @@ ExploreReport merged_exploration(const std::vector<ShardFile>& shards,
 void write_merged(const ExploreReport& report, const std::vector<std::string>& arguments,
                   const std::vector<std::string>& here, const std::vector<InputFile>& places);
 
-// What `explore` with the arguments of the shards would print and write without --shard. `here` are
-// arguments besides: where to, how many threads, in which format.
+// Prints and writes the output of `explore` with the arguments of the shards, but without --shard.
+// `here` are arguments besides: where to, how many threads, in which format.
 int explore_merged(const std::vector<ShardFile>& shards, const std::vector<std::string>& here,
                    const std::vector<InputFile>& places);
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
+#include "cli/choice.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
@@ -57,12 +58,12 @@ void run(const ExportFlags& flags) {
 void add_export(CLI::App& program, int&) {
   CLI::App* command = program.add_subcommand(
       "export",
-      "One routing as a model for another program: a planar hand for MuJoCo, without the friction "
-      "that its tendons cannot carry");
+      "Export one routing as a planar hand for MuJoCo, without friction, which "
+      "MuJoCo's tendons do not have");
   auto flags = std::make_shared<ExportFlags>();
   command->add_option("routing", flags->routing, "Catalogue name or word")->required();
   command->add_option("--format", flags->format, "mjcf: the XML of MuJoCo")
-      ->check(CLI::IsMember({"mjcf"}))
+      ->check(one_of({"mjcf"}))
       ->capture_default_str();
   flags->out_given =
       command->add_option("-o,--output", flags->out, "File (default: standard output)");

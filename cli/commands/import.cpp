@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/api.hpp"
+#include "cli/choice.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/reading_flags.hpp"
@@ -48,13 +49,20 @@ void require_places(const ImportFlags& flags) {
   require_svg(flags.plot, "--plot");
 }
 
+ReadingOptions reading_options(const ImportFlags& flags) {
+  ReadingOptions options = flags.columns.options();
+  options.guess_option = "--guess";
+  if (!flags.labels.routing) options.routing_option = "--routing";
+  return options;
+}
+
 ImportReport report(const ImportFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
   SteadyOptions options = flags.options;
   if (flags.direction_given->count() > 0) {
     options.direction = flags.direction == "pull" ? Direction::pull : Direction::release;
   }
-  return import_study(read_logged_series(flags.log, flags.columns.options()), flags.labels, options,
+  return import_study(read_logged_series(flags.log, reading_options(flags)), flags.labels, options,
                       [&](const std::string& text) { return read_routing(text, catalogue); });
 }
 
@@ -124,22 +132,23 @@ void add_labels(CLI::App& command, ImportFlags& flags) {
   flags.direction_given =
       command
           .add_option("--direction", flags.direction,
-                      "pull or release, where neither position nor speed nor load say")
-          ->check(CLI::IsMember({"pull", "release"}));
+                      "Direction of the carriage, if position, speed and load do not show it")
+          ->check(one_of({"pull", "release"}));
 }
 
 void add_steadiness(CLI::App& command, SteadyOptions& options) {
-  command.add_option("--least-time", options.least_time_s, "Seconds that a reading lasts at least")
+  command
+      .add_option("--least-time", options.least_time_s, "Least duration of a reading in seconds")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
   command
       .add_option("--tolerance", options.tolerance,
-                  "Share within which a steady tension stays, beside its noise")
+                  "Greatest relative change of a steady tension, besides its noise")
       ->check(CLI::Range(0.0001, 0.5))
       ->capture_default_str();
   command
       .add_option("--per-sweep", options.per_sweep,
-                  "Readings at most of one stroke along which the load grows or falls")
+                  "Greatest number of readings of one stroke with a rising or falling load")
       ->check(CLI::Range(std::size_t{1}, std::size_t{20}))
       ->capture_default_str();
   command.add_flag("--reverse", options.reverse,
@@ -154,7 +163,8 @@ void add_options(CLI::App& command, ImportFlags& flags) {
   flags.out_given = command.add_option("-o,--output", flags.out,
                                        "CSV file for the readings (default: none written)");
   flags.plot_given = command.add_option(
-      "--plot", flags.plot, "SVG file: the signals, what was taken, and what was left out and why");
+      "--plot", flags.plot,
+      "SVG file with the signals, the readings, and the samples left out, with reasons");
   command
       .add_flag("--guess", flags.guess,
                 "Propose what the columns mean, show the first samples and list what is missing")
@@ -170,7 +180,9 @@ void add_options(CLI::App& command, ImportFlags& flags) {
 
 void add_import(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand(
-      "import", "Steady readings out of a logger's time series, as a data file");
+      "import",
+      "Find the steady readings in a logger's time series, and write them as a "
+      "data file");
   auto flags = std::make_shared<ImportFlags>();
   add_options(*command, *flags);
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });

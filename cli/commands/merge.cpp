@@ -102,7 +102,7 @@ std::vector<InputFile> places(const MergeFlags& flags) {
   return places;
 }
 
-// What of the options is for the exploration.
+// Returns the options that the exploration takes.
 std::vector<std::string> here(const MergeFlags& flags) {
   return {"--out=" + flags.out, fmt::format("--threads={}", flags.threads),
           "--format=" + flags.format.format};
@@ -115,14 +115,15 @@ int run(const MergeFlags& flags) {
 
 void add_options(CLI::App& command, MergeFlags& flags) {
   command
-      .add_option(
-          "folders", flags.folders,
-          "The folders that explore --shard i/N --out wrote, or the stores of --store, all N in any order")
+      .add_option("folders", flags.folders,
+                  "Folders of explore --shard i/N --out, or stores of --store, all N in any "
+                  "order")
       ->required();
   command.add_option("--out", flags.out, "Folder for the files of the whole exploration")
       ->required();
   command
-      .add_option("--threads", flags.threads, "Threads; 0: all. The result does not depend on it")
+      .add_option("--threads", flags.threads,
+                  "Number of threads; 0: all. The result does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   flags.format.add_to(command, with_tables({"json"}));
@@ -131,8 +132,8 @@ void add_options(CLI::App& command, MergeFlags& flags) {
 }  // namespace
 
 void add_merge(CLI::App& program, int& exit_code) {
-  CLI::App* command = program.add_subcommand(
-      "merge", "The shards of an exploration, put together to what the whole would have written");
+  CLI::App* command =
+      program.add_subcommand("merge", "Join the shards of an exploration into one exploration");
   auto flags = std::make_shared<MergeFlags>();
   add_options(*command, *flags);
   command->callback([flags, &exit_code] { exit_code = run(*flags); });

@@ -24,6 +24,7 @@
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "core/hand.hpp"
+#include "core/motor_sides.hpp"
 #include "core/notation.hpp"
 #include "pages/pages.hpp"
 #include "pages/shell/page.hpp"
@@ -133,13 +134,13 @@ void write_page(const RankReport& report, const std::filesystem::path& folder,
       result_stamp(json));
 }
 
-// The number of motors that all routings have, or 1.
-int common_carriage_count(const std::vector<Routing>& routings) {
-  const int first = carriage_count(routings.front());
-  const bool is_common = std::all_of(routings.begin(), routings.end(), [&](const Routing& routing) {
-    return carriage_count(routing) == first;
-  });
-  return is_common ? first : 1;
+// Returns what `of` says of every routing, or `otherwise` where routings differ in it.
+template <typename Of, typename Value>
+Value common(const std::vector<Routing>& routings, Of of, const Value& otherwise) {
+  const Value first = of(routings.front());
+  const bool is_common = std::all_of(routings.begin(), routings.end(),
+                                     [&](const Routing& routing) { return of(routing) == first; });
+  return is_common ? first : otherwise;
 }
 
 RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
@@ -147,8 +148,11 @@ RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
   request.routings = inputs.routings;
   request.model = inputs.file.model;
   request.ranges = inputs.file.uncertainty;
+  const auto carriages_of = [](const Routing& routing) { return carriage_count(routing); };
+  const auto ends_of = [](const Routing& routing) { return motor_ends(expand(routing)); };
   request.grasps = flags.ranking.read_grasps(finger_count(inputs.routings.front()),
-                                             common_carriage_count(inputs.routings));
+                                             common(inputs.routings, carriages_of, 1),
+                                             common(inputs.routings, ends_of, MotorEnds{}));
   request.order = flags.ranking.read_order();
   request.score = flags.ranking.read_score();
   require_hand_for("--objectives", request.order.objectives, request.model.hardware);
@@ -198,7 +202,7 @@ Document shortest_document(const RankRequest& asked, const ListedWith& with,
   return rank_document(report, columns);
 }
 
-// What takes long and would then be shown nowhere: a page has both.
+// Refuses --margin and --sweep, which take long, if no output would show them. A page has both.
 void require_all_to_be_shown(const RankFlags& flags) {
   const char* asked = flags.margin ? "--margin" : flags.sweep.text.empty() ? "" : "--sweep";
   if (*asked == '\0' || flags.out.is_given()) return;
@@ -253,39 +257,36 @@ int run(const RankFlags& flags, const CLI::App& command) {
 
 void add_options(CLI::App& command, RankFlags& flags) {
   command.add_option("routing", flags.routings, "Catalogue names or words");
-  CLI::Option* catalog = command.add_flag(
-      "--catalog", flags.catalog,
-      "All routings of one family of the catalogue with as many fingers as the routings given, or "
-      "with --fingers of them");
+  CLI::Option* catalog =
+      command.add_flag("--catalog", flags.catalog,
+                       "All routings of one family of the catalogue that have the same number of "
+                       "fingers, or --fingers");
   flags.family
       .add_to(command,
-              "For --catalog: the family, all with the same hardware; paper, which it is "
-              "by default, or a folder of families/")
+              "Family of --catalog: paper, or a folder of catalog/families (default: paper)")
       ->needs(catalog);
-  flags.fingers_given =
-      command.add_option("--fingers", flags.fingers, "For --catalog alone: number of fingers")
-          ->needs(catalog)
-          ->check(CLI::Range(1, max_fingers))
-          ->capture_default_str();
+  flags.fingers_given = command
+                            .add_option("--fingers", flags.fingers,
+                                        "Number of fingers, for --catalog without routings")
+                            ->needs(catalog)
+                            ->check(CLI::Range(1, max_fingers))
+                            ->capture_default_str();
   command.add_flag("--margin", flags.margin,
-                   "Search the ranges of the coefficients for where the first design's lead over "
-                   "each other one is least");
+                   "Find the coefficients, within their ranges, at which the best design's lead "
+                   "is least");
   CLI::Option* out =
-      flags.out.add_to(command,
-                       "a page, index.html, with ladder.csv, ranking.json and figures/, and "
-                       "sweep.csv of --sweep");
+      flags.out.add_to(command, "index.html, ranking.json, ladder.csv, sweep.csv and figures/");
   flags.data_given =
       command
           .add_option("--data", flags.data,
-                      "For the page: CSV file of readings, drawn beside the model's tensions; "
-                      "docs/data.md describes its columns")
+                      "CSV file of readings to draw on the page beside the model's tensions; see "
+                      "docs/data.md")
           ->needs(out);
   flags.readings.add_to(command, flags.data_given);
   command
-      .add_option(
-          "--distributions", flags.distributions,
-          "For the page: friction coefficients of tubes and sheaths, for each of which the "
-          "tension distributions are drawn; 'model': as the hardware and the model have them")
+      .add_option("--distributions", flags.distributions,
+                  "Friction coefficients of the tension distributions on the page; 'model': "
+                  "those of the model")
       ->needs(out)
       ->capture_default_str();
   flags.stored.add_to(command);
@@ -300,8 +301,7 @@ void add_options(CLI::App& command, RankFlags& flags) {
 }  // namespace
 
 void add_rank(CLI::App& program, int& exit_code) {
-  CLI::App* command =
-      program.add_subcommand("rank", "Compare routings that you have in mind, best first");
+  CLI::App* command = program.add_subcommand("rank", "Rank routings that you name, best first");
   auto flags = std::make_shared<RankFlags>();
   add_options(*command, *flags);
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });

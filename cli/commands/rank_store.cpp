@@ -26,7 +26,7 @@ namespace {
 
 using RankArguments = std::vector<std::string>;
 
-// What can be asked otherwise than the store was made with.
+// Options that may differ from those of the store.
 const RankArguments askable{"--objectives", "--score", "--constraint", "--top"};
 // Decides how it is shown, or how fast.
 const RankArguments showing{"--columns", "--text-width", "--threads", "--format"};
@@ -67,7 +67,7 @@ ExploreOptions stored_options(const ParsedExplore& explore, const StoreReader& s
   return options;
 }
 
-// Those of the exploration, but for what is asked otherwise.
+// Returns the arguments of the exploration, with those asked for in place of the stored ones.
 RankArguments as_asked(const RankArguments& stored, const RankArguments& asked) {
   RankArguments arguments = asked;
   for (const std::string& argument : stored) {
@@ -82,7 +82,7 @@ RankArguments as_asked(const RankArguments& stored, const RankArguments& asked) 
   return arguments;
 }
 
-// Of the options of `rank` those that are asked for.
+// Returns the options of `rank` that may differ and are given.
 RankArguments asked_arguments(const CLI::App& rank) {
   RankArguments arguments;
   for (const std::string& argument : given_arguments(rank, showing)) {
@@ -113,7 +113,8 @@ std::vector<NamedObjective> named_objectives(const ExploreFlags& flags) {
   return named;
 }
 
-// Of what the designs of the store have no values of, it cannot be said that an option would help.
+// Requires that the store's designs have values of the objectives that the options name. No advice
+// on options is given for values that are missing.
 void require_values(const ExploreFlags& asked, const ExploreOptions& stored,
                     const std::string& store) {
   for (const auto& [option, objective] : named_objectives(asked)) {
@@ -140,15 +141,15 @@ std::string printed(const StoredRanking& ranking, const ListColumns& columns,
 }  // namespace
 
 void StoredRankingFlags::add_to(CLI::App& rank) {
-  given_ = rank.add_option(
-      "--store", store,
-      "What explore --store keeps in this file, ranked without evaluating it again: by the "
-      "--objectives, --score, --constraint and --top given here, else as it was explored");
+  given_ = rank.add_option("--store", store,
+                           "Rank the designs of a store of explore, by its own options or by those "
+                           "given here");
   rank.add_option("--constraint", constraints,
-                  "Of a store: only designs with, such as 'sheaths<=2'; may be given several times")
+                  "With --store: keep only designs that meet this, such as 'sheaths<=2'; may "
+                  "be repeated")
       ->allow_extra_args(false)
       ->needs(given_);
-  rank.add_option("--top", top, "Of a store: how many of the best designs")
+  rank.add_option("--top", top, "With --store: number of best designs to list")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->needs(given_);
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/api.hpp"
+#include "cli/choice.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/ladder_flags.hpp"
@@ -12,6 +13,7 @@
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
+#include "core/motor_sides.hpp"
 #include "pages/pages.hpp"
 #include "pages/shell/page.hpp"
 #include "pages/shell/result_files.hpp"
@@ -39,8 +41,9 @@ GraspSet grasps(const ShowFlags& flags, const Routing& routing) {
   if (flags.held.empty()) return single_grasps(fingers);
   GraspSet grasps;
   for (const std::string& held : flags.held) {
-    const Grasp grasp =
-        for_name("--", [&] { return parse_grasp(held, fingers, carriage_count(routing)); });
+    const Grasp grasp = for_name("--", [&] {
+      return parse_grasp(held, fingers, carriage_count(routing), motor_ends(expand(routing)));
+    });
     for (const WeightedGrasp& other : grasps) {
       if (other.grasp == grasp) throw InputError("--held " + held + " is given twice");
     }
@@ -153,27 +156,26 @@ void add_options(CLI::App& command, ShowFlags& flags) {
   CLI::Option* routing = command.add_option("routing", flags.routing, "Catalogue name or word");
   CLI::Option* like =
       command
-          .add_option("--like", flags.like,
-                      "In place of a routing: a catalogue name, written for --fingers")
+          .add_option(
+              "--like", flags.like,
+              "In place of a routing: the catalogue's mechanism of this name, for --fingers")
           ->excludes(routing);
   CLI::Option* fingers =
-      command.add_option("--fingers", flags.fingers, "Of --like: how many fingers")
+      command.add_option("--fingers", flags.fingers, "Number of fingers of --like")
           ->check(CLI::Range(1, max_fingers))
           ->needs(like);
   like->needs(fingers);
   command
-      .add_option(
-          "--held", flags.held,
-          "Fingers that are held, such as 1 or 1,2, or none; with travels of the carriages of "
-          "several motors none@1,-1; once for each grasp (default: none held and each "
-          "one finger held)")
+      .add_option("--held", flags.held,
+                  "Held fingers, such as 1,2 or none; may be repeated (default: none, and each "
+                  "finger alone)")
       ->allow_extra_args(false);
-  command.add_option("--direction", flags.direction, "Which way the carriage moves")
-      ->check(CLI::IsMember({"pull", "release"}))
+  command.add_option("--direction", flags.direction, "Direction of the carriage")
+      ->check(one_of({"pull", "release"}))
       ->capture_default_str();
   flags.svg.add_to(command,
-                   "Also draw the routing into this file, in the grasp of --held (without --held: "
-                   "the parts alone, no tensions)");
+                   "SVG file with a drawing in the grasp of --held (without --held: parts "
+                   "alone, no tensions)");
   flags.out.add_to(command, "a page, index.html, with routing.json and figures/");
   flags.prices.add_to(command, "adds what this routing costs");
   flags.model.add_with_friction_to(command);
@@ -185,8 +187,8 @@ void add_options(CLI::App& command, ShowFlags& flags) {
 void add_show(CLI::App& program, int&) {
   CLI::App* command = program.add_subcommand(
       "show",
-      "One routing in full: tensions, shares, sliding directions and objectives. A mechanism of the "
-      "catalogue that has coefficients of its own is shown with them");
+      "Show one routing: tensions, shares, sliding directions and objectives. A "
+      "mechanism of the catalogue with coefficients of its own is shown with them");
   auto flags = std::make_shared<ShowFlags>();
   add_options(*command, *flags);
   command->callback([flags, command] { run(*flags, *command); });

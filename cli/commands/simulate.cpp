@@ -48,7 +48,7 @@ struct Given {
   std::string value;
 };
 
-// What was given, in its order.
+// Returns the given options, in their order.
 std::vector<Given> options_in_order(const CLI::App& command) {
   std::vector<Given> given;
   std::map<const CLI::Option*, std::size_t> seen;
@@ -200,13 +200,11 @@ void run(const SimulateFlags& flags) {
 void add_options(CLI::App& command, SimulateFlags& flags) {
   flags.command = &command;
   flags.experiment.add_to(command);
-  flags.cause =
-      command
-          .add_option("--cause", flags.causes,
-                      "Hidden cause, such as load_dependent_friction, sensor_gain[T3], "
-                      "sheath_angle[2], seized_contact[TR5,T1-T2] or 'law[exponent of sheath, "
-                      "humidity_pct, linear]'; may be given more than once")
-          ->allow_extra_args(false);
+  flags.cause = command
+                    .add_option("--cause", flags.causes,
+                                "Hidden cause or law, such as wear, sensor_gain[T3] or "
+                                "seized_contact[TR5,T1-T2]; may be repeated")
+                    ->allow_extra_args(false);
   flags.set = command
                   .add_option("--set", flags.settings,
                               "Parameter of the --cause before it, such as gain=1.08")
@@ -220,8 +218,8 @@ void add_options(CLI::App& command, SimulateFlags& flags) {
   CLI::Option* power =
       command
           .add_option("--power", flags.power,
-                      "Diagnose so many experiments, of this seed and the next ones, and report "
-                      "how often what is hidden is found; no data are written")
+                      "Simulate and diagnose this many experiments; report how often the hidden "
+                      "causes are found")
           ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
           ->excludes(flags.out_given);
   flags.format.add_to(command, with_tables({"json"}));
@@ -232,7 +230,9 @@ void add_options(CLI::App& command, SimulateFlags& flags) {
 
 void add_simulate(CLI::App& program, int&) {
   CLI::App* command = program.add_subcommand(
-      "simulate", "Readings of a planned experiment on a rig with hidden causes, as a data file");
+      "simulate",
+      "Simulate the readings of a planned experiment with hidden causes, as a data "
+      "file");
   auto flags = std::make_shared<SimulateFlags>();
   add_options(*command, *flags);
   command->callback([flags] { run(*flags); });

@@ -60,76 +60,76 @@ void add_goal(CLI::App& command, SizeFlags& flags) {
   CLI::Option* goal =
       command
           .add_option("--goal", flags.goal,
-                      "What to make the most of: an objective, or a product such as "
-                      "uniformity_worst*efficiency_worst; score: that of --score")
+                      "Goal: an objective, a product such as uniformity_worst*efficiency_worst, or "
+                      "score (of --score)")
           ->capture_default_str();
   flags.target_given =
       command
           .add_option("--target", flags.target,
-                      "Instead: how hard the fingers are to pull, relative to each other, such as "
-                      "1=2,others=1")
+                      "In place of a goal: ratio of the fingers' pulls, such as 1=2,others=1")
           ->excludes(goal);
   flags.score_given =
       command.add_option("--score", flags.score, "For --goal score: objectives with weights")
           ->default_str("authors");
-  flags.grasps_given =
-      command
-          .add_option("--grasps", flags.grasps,
-                      "As of rank; the target itself with none held, unless they are given")
-          ->capture_default_str();
+  flags.grasps_given = command
+                           .add_option("--grasps", flags.grasps,
+                                       "Grasps as in rank; the default for --target is none held")
+                           ->capture_default_str();
 }
 
 void add_search(CLI::App& command, SizeFlags& flags) {
   SizingOptions& search = flags.search;
-  CLI::Option* nominal = command.add_flag(
-      "--nominal", flags.nominal,
-      "Size for the coefficients as they are, and not for the 5 % quantile over their ranges");
-  command.add_option("--draws", search.draws, "Draws of the coefficients")
+  CLI::Option* nominal =
+      command.add_flag("--nominal", flags.nominal,
+                       "Size for the nominal coefficients, not for the 5 % quantile over their "
+                       "ranges");
+  command.add_option("--draws", search.draws, "Number of draws of the coefficients")
       ->excludes(nominal)
       ->check(CLI::Range(std::size_t{1}, std::size_t{10000}))
       ->capture_default_str();
   command.add_option("--seed", search.seed, "Seed of the draws and of the starts")
       ->check(is_seed)
       ->capture_default_str();
-  command.add_option("--starts", search.starts, "Local searches, besides the global one")
+  command.add_option("--starts", search.starts, "Number of local searches besides the global one")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command.add_option("--evaluations", search.evaluations, "At most, of each search")
+  command
+      .add_option("--evaluations", search.evaluations,
+                  "Greatest number of evaluations in each search")
       ->check(CLI::Range(10, 1000000))
       ->capture_default_str();
   command
-      .add_option("--threads", search.threads, "Threads; 0: all. The result does not depend on it")
+      .add_option("--threads", search.threads,
+                  "Number of threads; 0: all. The result does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
 }
 
 void add_options(CLI::App& command, SizeFlags& flags) {
   command.add_option("routing", flags.routings, "Catalogue names or words");
-  flags.from_given = command.add_option("--from", flags.from,
-                                        "Folder of an exploration: also the best of its designs");
-  command.add_option("--top", flags.top, "For --from: how many of them")
+  flags.from_given = command.add_option(
+      "--from", flags.from, "Folder of an exploration, whose best designs are sized too");
+  command.add_option("--top", flags.top, "Number of designs of --from")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
       ->needs(flags.from_given)
       ->capture_default_str();
   command
-      .add_option(
-          "--vary", flags.vary,
-          "A dimension and its bounds, such as 'sheath_angle[1]=3..9'; sheath_angle=3..9: "
-          "of all fingers, each by itself. Also tip_angle, strand_mm, closing, "
-          "arm_mm, contact_angle[T2-T3], motor_side_mm, hand_mm. May be given several times")
+      .add_option("--vary", flags.vary,
+                  "Vary, as X=3..9: sheath_angle tip_angle strand_mm closing arm_mm contact_angle "
+                  "motor_side_mm hand_mm")
       ->allow_extra_args(false);
   command
       .add_option("--same", flags.same,
-                  "What stays equal: tips, sheaths, strands, arms, or dimensions such as "
-                  "'sheath_angle[2,3,4]'. May be given several times")
+                  "Dimensions that stay equal: tips, sheaths, strands, arms, or "
+                  "'sheath_angle[2,3,4]'; may be repeated")
       ->allow_extra_args(false);
   add_goal(command, flags);
   add_search(command, flags);
-  flags.save_given = command.add_option("--save-hardware", flags.save,
-                                        "Write the hardware, as it is sized, as a TOML file");
+  flags.save_given =
+      command.add_option("--save-hardware", flags.save, "TOML file for the sized hardware");
   flags.out.add_to(command, "a page, index.html, with sizing.json and figures/");
   flags.model.add_with_friction_to(command);
-  flags.tables.add_to(command, "the dimensions, or of the routings sized");
+  flags.tables.add_to(command, "the dimensions or routings");
   flags.format.add_to(command, with_tables({"json"}));
 }
 
@@ -176,7 +176,7 @@ void require_comparable(const std::vector<Routing>& routings) {
   }
 }
 
-// Those of the command line replace those of the file, so that a file's can be tried otherwise.
+// Bounds of the command line replace those of the file, so that a file can be tried with others.
 void read_bounds(const SizeFlags& flags, const VaryTable& table, SizingOptions& options) {
   for (const std::string& text : flags.vary) {
     options.varied.push_back(for_name("--", [&] { return parse_varied(text); }));
@@ -253,7 +253,7 @@ std::vector<std::string> notes(const SizeFlags& flags, const SizingOptions& opti
   return notes;
 }
 
-// Of the dimensions, or of the routings that are sized: whichever has the first.
+// Reads columns of the dimensions, or of the sized routings: whichever table has the first.
 std::vector<std::string> read_columns(const SizeFlags& flags, const Hardware& hardware) {
   std::vector<std::string> known = dimension_column_names();
   const std::vector<std::string> of_routings = sized_column_names(hardware);
@@ -372,7 +372,9 @@ int run(const SizeFlags& flags, const CLI::App& command) {
 
 void add_size(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand(
-      "size", "The dimensions of a routing's parts that suit a goal best, with their tolerances");
+      "size",
+      "Choose the dimensions of a routing that are best for a goal, with their "
+      "tolerances");
   auto flags = std::make_shared<SizeFlags>();
   add_options(*command, *flags);
   command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });

@@ -191,55 +191,65 @@ std::vector<Segment> read_channels(const std::string& text,
 void ExperimentFlags::add_to(CLI::App& command) {
   command
       .add_option("--routings", routings,
-                  "Which routings are mounted, in turns: catalogue names or words, with commas")
+                  "Routings, mounted in turns: catalogue names or words, separated by commas")
       ->required();
   command
       .add_option("--grasps", grasps,
-                  "single: none held and each one finger held; all; or held lists such as none/1/2")
+                  "Grasps: single (none held, and each finger held alone), all, or held "
+                  "fingers such as none/1/2")
       ->capture_default_str();
   command.add_option("--directions", directions, "pull, release, or pull,release")
       ->capture_default_str();
   command
       .add_option("--channels", channels,
-                  "Where the sensors are: strands, all, or segments such as T1,T3,a")
+                  "Segments with a sensor: strands, all, or names such as T1,T3,a")
       ->capture_default_str();
   command
-      .add_option("--motor-tension", motor_tension, "In N: a range such as 5:60, or a list 5,10,20")
+      .add_option("--motor-tension", motor_tension,
+                  "Motor tensions in N: a range 5:60 or a list 5,10,20")
       ->capture_default_str();
-  speed_ = command.add_option("--speed", speed, "In mm/s, likewise (default: no such column)");
+  speed_ = command.add_option("--speed", speed,
+                              "Speeds in mm/s: a range or a list (default: no such column)");
   cycles_ = command.add_option(
       "--cycles", cycles,
-      "Rise over the whole experiment: a range or a list (default: no such column)");
+      "Cycle numbers, rising over the experiment: a range or a list (default: no "
+      "such column)");
   temperature_ =
-      command.add_option("--temperature", temperature, "In C, likewise (default: no such column)");
-  sheath_angle_ = command.add_option("--sheath-angle", sheath_angle,
-                                     "Of all sheaths, in rad, likewise (default: the hardware's)");
+      command.add_option("--temperature", temperature,
+                         "Temperatures in C: a range or a list (default: no such column)");
+  sheath_angle_ =
+      command.add_option("--sheath-angle", sheath_angle,
+                         "Wrap angles of all sheaths in rad: a range or a list (default: the "
+                         "hardware's)");
   command
       .add_option("--column", columns,
-                  "A further column that varies from reading to reading, such as "
-                  "humidity_pct=20:80; may be given more than once")
+                  "A further column that varies between readings, such as humidity_pct=20:80; "
+                  "may be repeated")
       ->allow_extra_args(false);
   command
       .add_option("--run-column", run_columns,
-                  "A further column that varies from run to run; may be given more than once")
+                  "A further column that varies between runs; may be repeated")
       ->allow_extra_args(false);
   command
       .add_option("--noise-relative", noise_relative,
                   "Standard deviation of a reading, as a share of the tension")
       ->capture_default_str();
-  command.add_option("--noise-absolute", noise_absolute, "… and besides that, in N")
+  command
+      .add_option("--noise-absolute", noise_absolute,
+                  "Standard deviation of a reading in N, besides the relative one")
       ->capture_default_str();
   command
       .add_option("--noise-motor", noise_motor,
-                  "Standard deviation of the motor tension that is written, as a share of the one "
-                  "that pulls")
+                  "Standard deviation of the measured motor tension, as a share of the true one")
       ->capture_default_str();
   const CLI::Range count(std::size_t{1}, max_planned_readings);
-  command.add_option("--runs", runs, "Mountings")->check(count)->capture_default_str();
-  command.add_option("--rows", rows, "Conditions that are set in each run")
+  command.add_option("--runs", runs, "Number of runs; each is a mounting of its own")
       ->check(count)
       ->capture_default_str();
-  command.add_option("--repeats", repeats, "Readings under each of them")
+  command.add_option("--rows", rows, "Number of conditions in each run")
+      ->check(count)
+      ->capture_default_str();
+  command.add_option("--repeats", repeats, "Number of readings at each condition")
       ->check(count)
       ->capture_default_str();
 }

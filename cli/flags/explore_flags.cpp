@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "cli/choice.hpp"
 #include "cli/command_line.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
@@ -58,22 +59,23 @@ ParsedExplore::ParsedExplore(const std::vector<std::string>& arguments, const st
 
 void StoreFlags::add_to(CLI::App& command) {
   constexpr int a_day = 86400;
-  option_ = command.add_option(
-      "--store", file_,
-      "Keep what is found in this SQLite file, and go on from what it holds; see docs/store.md");
+  option_ =
+      command.add_option("--store", file_,
+                         "SQLite file that keeps the exploration, and from which it continues; see "
+                         "docs/store.md");
   command
       .add_option("--store-every", seconds_,
-                  "Seconds between two times that the store is written; 0: after every batch")
+                  "Seconds between two writes of the store; 0: after every batch")
       ->needs(option_)
       ->check(CLI::Range(0, a_day))
       ->capture_default_str();
   keep_given_ =
       command
           .add_option("--keep", keep_,
-                      "What the store keeps: best, what is listed; all, every design with "
-                      "its objectives, which rank can then rank otherwise")
+                      "Designs in the store: best (those that are listed), or all, which rank "
+                      "--store can rank anew")
           ->needs(option_)
-          ->check(CLI::IsMember({"best", "all"}))
+          ->check(one_of({"best", "all"}))
           ->capture_default_str();
 }
 
@@ -107,11 +109,13 @@ ExploreOptions ExploreFlags::read(const Model& with, const Catalogue& catalogue)
   // Letters run in walk order, so that in another routing they are other ends.
   require_no_spools(with.hardware,
                     "none: a spool belongs to an end of one routing (show, rank, size)");
+  require_no_springs(with.hardware,
+                     "none: a tendon's number belongs to one routing (show, rank, size)");
   require_known_fingers(with.hardware, options.generator.fingers);
   options.shard = for_name("--", [&] { return parse_shard(shard); });
   options.keeps_record = shard_given->count() > 0;
   options.model = with;
-  options.grasps = ranking.read_grasps(options.generator.fingers);
+  options.grasps = ranking.read_grasps(options.generator.fingers, options.generator.parts.motors);
   options.order = ranking.read_order();
   options.score = ranking.read_score();
   require_hand_for("--objectives", options.order.objectives, with.hardware);
@@ -126,7 +130,7 @@ ExploreOptions ExploreFlags::read(const Model& with, const Catalogue& catalogue)
   ladder.require_prices(options.order, options.score, options.constraints);
   options.top = top;
   options.threads = ranking.threads;
-  options.references = known_routings(options.generator, catalogue);
+  options.references = known_routings(options, catalogue);
   return options;
 }
 
@@ -164,37 +168,34 @@ void ExploreFlags::add_to(CLI::App& command) {
   ranking.add_to(command);
   ladder.add_to(command);
   store.add_to(command);
-  sweep.add_to(command, "the first design, those of the ladder and the front (up to 8)");
+  sweep.add_to(command, "up to 8 designs");
   command
       .add_option("--constraint", constraints,
-                  "Keep only designs with, such as 'sheaths<=2'; may be given several times")
+                  "Keep only designs that meet this, such as 'sheaths<=2'; may be repeated")
       ->allow_extra_args(false);
-  target_given = command.add_option(
-      "--target", target,
-      "Also which designs come nearest to this ratio of the fingers' pulls, such as "
-      "1=2,others=1: by statics, or on friction. Tells the fingers apart");
+  target_given =
+      command.add_option("--target", target,
+                         "Find designs nearest to this ratio of pulls, 1=2,others=1; implies "
+                         "--distinct-fingers");
   shard_given =
       command
           .add_option("--shard", shard,
-                      "i/N: only the i-th of N parts of the whole; reeve merge puts them together")
+                      "i/N: only the i-th of N parts of the exploration; reeve merge joins them")
           ->excludes(target_given)
           ->capture_default_str();
   command
-      .add_option("--top", top, "How many of the best designs to keep; the front is always kept")
+      .add_option("--top", top, "Number of best designs to list; the Pareto front is always kept")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
   command
-      .add_option(
-          "--details", details,
-          "Of how many of the best designs the page holds schematics and tensions, besides "
-          "the known routings; by default as many as 170 schematics show in all grasps, and of 1000 "
-          "more the first")
+      .add_option("--details", details,
+                  "Best designs that the page draws in all grasps (default: up to 170 "
+                  "schematics)")
       ->check(CLI::Range(std::size_t{0}, std::size_t{100000}));
   command
-      .add_option(
-          "--out", out,
-          "Folder for index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, summary.json and "
-          "figures, and sweep.csv of --sweep")
+      .add_option("--out", out,
+                  "Folder for the page (index.html), the tables (CSV), summary.json and "
+                  "figures/")
       ->capture_default_str();
   model.add_with_friction_to(command);
   tables.add_to(command, "the list of the best");

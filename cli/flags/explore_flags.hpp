@@ -21,7 +21,7 @@
 
 namespace reeve::cli {
 
-// Where an exploration is kept while it runs, to go on there.
+// The store that keeps an exploration while it runs, to continue it there.
 class StoreFlags {
  public:
   void add_to(CLI::App& command);
@@ -29,7 +29,7 @@ class StoreFlags {
   void list_in(std::vector<InputFile>& inputs) const;
   bool asks_for_all() const { return is_given() && keep_ == "all"; }
 
-  // Of the exploration that is planned. Throws InputError.
+  // Opens the store of the planned exploration. Throws InputError.
   void open(std::optional<ExplorationStore>& store, const ExploreReport& planned,
             const std::vector<std::string>& arguments) const;
   Checkpoint checkpoint(ExplorationStore& store) const;

@@ -42,7 +42,9 @@ double parse_angle(const std::string& text) {
   const auto known =
       unit.empty() ? std::optional(own_unit(Dimension::angle)) : find_unit(unit, Dimension::angle);
   const bool is_number = error == std::errc{} && std::isfinite(angle) && angle >= 0;
-  if (is_number && known) return known->converted(angle);
+  constexpr double most_without_unit = 20;  // rad; three turns, and few in degrees
+  const bool is_clear = !unit.empty() || angle <= most_without_unit;
+  if (is_number && known && is_clear) return known->converted(angle);
   throw InputError({.value = text, .expected = "an angle such as 180deg or 3.14rad"});
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "catalog/price_file.hpp"
+#include "cli/choice.hpp"
 #include "cli/inputs.hpp"
 #include "core/error.hpp"
 
@@ -27,14 +28,13 @@ bool counts_cost(const Score& score) {
 void LadderFlags::add_to(CLI::App& command) {
   by_given_ = command
                   .add_option("--ladder", by,
-                              "Show the best design with at most one, two, … of these; cost "
-                              "where --cost is given")
-                  ->check(CLI::IsMember(ladder_measures()))
+                              "Best design for each number of these (cost if --cost is given)")
+                  ->check(one_of(ladder_measures()))
                   ->capture_default_str();
   command
       .add_option("--within", within,
-                  "Name the design with least of the ladder's measure that loses no more than this "
-                  "in any ranked objective against the first")
+                  "Name the design with fewest of --ladder that loses at most this in any "
+                  "ranked objective")
       ->capture_default_str();
   prices.add_to(command, "makes cost an objective");
 }
@@ -48,10 +48,8 @@ LadderOptions LadderFlags::read() const {
 }
 
 void PricesOption::add_to(CLI::App& command, const std::string& what) {
-  option_ = command.add_option(
-      "--cost", file_,
-      "TOML file with what each kind of part costs, in money, mass or volume: " + what +
-          "; see catalog/prices/example.toml");
+  option_ = command.add_option("--cost", file_,
+                               "TOML file of prices, such as catalog/prices/example.toml; " + what);
 }
 
 std::optional<PartPrices> PricesOption::read() const {

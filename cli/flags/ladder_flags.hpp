@@ -1,5 +1,5 @@
-// What `explore` and `rank` take for the step from a ranking to a decision: which ladder, what loss
-// one would bear, and what parts cost.
+// Options of `explore` and `rank` for the step from a ranking to a decision: the ladder, the
+// acceptable loss, and the prices of parts.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -36,7 +36,7 @@ struct LadderFlags {
   PricesOption prices;
 
   void add_to(CLI::App& command);
-  // By the cost where prices are given and no measure is.
+  // The measure is the cost if prices are given and no measure is.
   LadderOptions read() const;
   std::optional<PartPrices> read_prices() const { return prices.read(); }
   // Throws InputError if what was asked for counts the cost, and there are no prices.

@@ -5,16 +5,17 @@
 namespace reeve::cli {
 
 void ReadingFlags::add_columns_to(CLI::App& command, CLI::Option* data) {
-  CLI::Option* map = command
-                         .add_option("--map", map_,
-                                     "A column of the data and what it means, such as 'Kraft "
-                                     "Motor=motor_tension_N'; once for each column")
-                         ->allow_extra_args(false);
+  CLI::Option* map =
+      command
+          .add_option("--map", map_,
+                      "A column and its meaning, such as 'Kraft Motor=motor_tension_N'; may be "
+                      "repeated")
+          ->allow_extra_args(false);
   CLI::Option* unit =
       command
           .add_option("--unit", units_,
-                      "Unit of all tensions in the data, such as lbf, or of one column, such as "
-                      "T1=kgf; may be given again")
+                      "Unit of all tensions, such as lbf, or of one column, such as T1=kgf; may be "
+                      "repeated")
           ->allow_extra_args(false);
   if (data == nullptr) return;
   map->needs(data);
@@ -24,20 +25,20 @@ void ReadingFlags::add_columns_to(CLI::App& command, CLI::Option* data) {
 void ReadingFlags::add_to(CLI::App& command, CLI::Option* data) {
   add_columns_to(command, data);
   group_given_ = command.add_option(
-      "--group", group_, "A column of the data whose words group the rows: a winch, an operator");
+      "--group", group_, "A column whose texts group the rows, such as a winch or an operator");
   if (data != nullptr) group_given_->needs(data);
 }
 
 void ReadingFlags::add_noise_to(CLI::App& command) {
   command
       .add_option("--noise", noise_,
-                  "What readings of a column, or of the motor tension, are known to scatter by: "
-                  "T1=2%, motor=0.5N, T1=2%+0.3N; may be given again")
+                  "Known standard deviation of a column, such as T1=2%, motor=0.5N or "
+                  "T1=2%+0.3N; may be repeated")
       ->allow_extra_args(false);
   command
       .add_option("--exact", exact_,
-                  "A column of tensions that do not scatter, such as a dead weight's; may be given "
-                  "again")
+                  "A column of tensions without scatter, such as a dead weight's; may be "
+                  "repeated")
       ->allow_extra_args(false);
 }
 

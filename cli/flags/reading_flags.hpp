@@ -14,7 +14,7 @@ namespace reeve::cli {
 struct ReadingFlags {
   // With `data`: they need that option.
   void add_to(CLI::App& command, CLI::Option* data = nullptr);
-  // What columns mean, and their units: of the log of a rig, too.
+  // Adds the options for the meaning of columns and their units, also for the log of a rig.
   void add_columns_to(CLI::App& command, CLI::Option* data = nullptr);
   void add_noise_to(CLI::App& command);
   // Throws InputError.

@@ -7,10 +7,7 @@ namespace reeve::cli {
 void SweepFlags::add_to(CLI::App& command, const std::string& designs) {
   given_ = command.add_option(
       "--sweep", text,
-      "Show " + designs +
-          " over a coefficient, and where the first place changes hands: mu (of tubes and sheaths), "
-          "tube_mu, sheath_mu, bearing_mu or sheath_angle, such as mu=0.02..0.3; with --uncertainty "
-          "in bands of what else is uncertain");
+      "Vary one coefficient, such as mu=0.02..0.3 or sheath_angle=3..9, and show " + designs);
 }
 
 std::optional<CoefficientRange> SweepFlags::read() const {

@@ -1,4 +1,4 @@
-// What `explore` and `rank` take to show designs over one coefficient.
+// Options of `explore` and `rank` to show designs over one coefficient.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -48,13 +48,11 @@ bool is_table(const FormatOption& format) {
 void TableFlags::add_to(CLI::App& command, const std::string& list) {
   columns_given_ = command.add_option(
       "--columns", columns,
-      "Of " + list +
-          ", such as name,routing,uniformity_mean: these, in this order, and no other "
-          "table");
+      "Columns of " + list + ", in this order, such as name,routing; prints no other table");
   width_given_ = command.add_option(
       "--text-width", text_width,
-      "How wide tables may be: with --format latex a length such as 88mm or 3.5in, otherwise "
-      "characters");
+      "Greatest width of tables in characters; with --format latex a length such "
+      "as 88mm");
 }
 
 ListColumns TableFlags::read_columns(const FormatOption& format,

@@ -1,4 +1,4 @@
-// Which columns of a list are printed, and how wide tables may be.
+// Options for the printed columns of a list, and for the width of tables.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -31,7 +31,7 @@ struct TableFlags {
   std::string printed(const Document& document, const FormatOption& format) const;
 
  private:
-  // Of the text's columns with --format table, in pt with latex; 0: any.
+  // Returns the width in columns of text with --format table, in pt with latex; 0: any.
   double read_width(const FormatOption& format) const;
 
   CLI::Option* columns_given_ = nullptr;

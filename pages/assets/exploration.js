@@ -7,23 +7,16 @@
   const pareto = document.getElementById("pareto");
   const parallel = document.getElementById("parallel");
 
-  let lines = null; // what the parallel coordinates show
-  let height = 0; // of the plot, px
+  let lines = null; // values that the parallel coordinates show
+  let height = 0; // height of the plot, px
   let view = "near"; // the front, "all", or a window
 
   function markSelection() {
     const { values } = state.designs();
     const [x, y] = state.axes();
     const selected = state.selected();
-    const spots = new Map();
-    for (const row of selected) {
-      if (values[x][row] === null || values[y][row] === null) continue;
-      const spot = { x: values[x][row], y: values[y][row], letter: "" };
-      const here = spots.get(`${spot.x} ${spot.y}`) ?? spot;
-      here.letter += (here.letter ? ", " : "") + state.letter(row);
-      spots.set(`${spot.x} ${spot.y}`, here);
-    }
-    markPlot([...spots.values()]);
+    markPlot(selected.filter((row) => plot.hasPlace(row)).map((row) =>
+      ({ x: values[x][row], y: values[y][row], text: state.letter(row) })));
     const through = selected.flatMap((row) =>
       lines.points(row, {}).map((point, i) => ({ ...point, of: state.letter(row), letter: i === 0 ? state.letter(row) : "" })));
     liveCharts.view(parallel)?.data("chosen", through).runAsync();
@@ -47,6 +40,7 @@
   function onPlotView(view) {
     onView(view);
     explorationMoves.listen(view, moves);
+    if (document.activeElement === view.container()) markPointed();
   }
 
   function onParallelView(view) {
@@ -61,7 +55,7 @@
     return Math.min(430, Math.max(220, Math.floor(innerHeight - top - around)));
   }
 
-  // Where the filter leaves nothing, the plot says so.
+  // If no design passes the filter, the plot says so.
   function sayIfNothing(figure) {
     figure.querySelector(".nothing")?.remove();
     if (state.rows().length > 0) return;
@@ -73,12 +67,12 @@
   function markPlot(spots) {
     const view = liveCharts.view(pareto);
     if (!view) return;
-    const labels = plot.labelsBeside(spots.map(({ x, y, letter }) => ({ x, y, text: letter })));
+    const labels = plot.labelsBeside(spots);
     const seen = spots.filter(({ x, y }) => explorationWindow.holds(plot.reach, [x, y]));
     view.data("chosen", seen).data("labels", labels).runAsync();
   }
 
-  // What the ladder marks.
+  // Returns the designs that the ladder marks.
   const advised = () =>
     reeve.data.ladder.advised
       .map(({ word, label }) => ({ row: state.rowOf(word), label }))
@@ -112,22 +106,42 @@
     pressed("view-all", view === "all" || (view === "near" && plot.near === null));
   }
 
-  function pointedText({ row, tip }) {
-    const values = state.axes().map((column) =>
-      `${state.objectives[column].title} ${explorationCharts.number(state.designs().values[column][row])}`);
-    return [...tip.split("\n").slice(0, 2), ...values].join("; ");
+  function pointedText(row) {
+    const { rank, kind, values } = state.designs();
+    const texts = state.axes().map((column) =>
+      `${state.objectives[column].title} ${explorationCharts.number(values[column][row])}`);
+    const standing = rank[row] > 0 ? `rank ${rank[row]}` : explorationCharts.kinds[kind[row]];
+    return [state.label(row), standing, ...texts].join("; ");
   }
-  const markOf = (row) => plot.spec.datasets.points.find((point) => point.row === row);
+
+  const placeOf = (row) => state.axes().map((column) => state.designs().values[column][row]);
+
+  // The design that the keyboard points at.
+  function markPointed() {
+    const row = state.pointed();
+    const [x, y] = row === null ? [] : placeOf(row);
+    document.getElementById("pointed").textContent = row === null ? "" : pointedText(row);
+    liveCharts.view(pareto)?.data("pointed", row === null ? [] : [{ row, x, y }]).runAsync();
+  }
+
   // The plot, for who moves in it.
   const moves = {
     window: () => plot.reach,
-    points: () => plot.spec.datasets.points,
-    pointed: () => markOf(state.pointed()),
-    toggle: ({ row }) => state.toggle(row),
-    point(mark) {
-      state.point(mark?.row ?? null);
-      document.getElementById("pointed").textContent = mark ? pointedText(mark) : "";
-      liveCharts.view(pareto)?.data("pointed", mark ? [mark] : []).runAsync();
+    pointed: state.pointed,
+    toggle: state.toggle,
+    point(row) {
+      state.point(row);
+      markPointed();
+    },
+    // To the next design in the order of the ranking, or back; the view follows.
+    step(by) {
+      const rows = state.rows().filter((row) => plot.hasPlace(row));
+      if (rows.length === 0) return;
+      const next = rows.indexOf(state.pointed()) + by;
+      const row = rows[Math.min(Math.max(next, 0), rows.length - 1)];
+      moves.point(row);
+      const place = placeOf(row);
+      if (!explorationWindow.holds(plot.reach, place)) moves.show(explorationWindow.showing(plot.reach, place));
     },
     choose(which) {
       view = which;
@@ -175,16 +189,20 @@
     });
   }
 
+  function designButton(row, textContent) {
+    const button = element("button", { type: "button", className: "plain", textContent });
+    button.setAttribute("aria-label", `Select ${state.label(row)}`);
+    button.addEventListener("click", () => state.toggle(row));
+    return button;
+  }
+
   // Lines of the ladder are designs, too.
   function ladderRows() {
     for (const line of document.querySelectorAll("#ladder-table tbody tr")) {
       const cell = [...line.cells].findLast(({ textContent }) => state.rowOf(textContent.trim()) !== undefined);
       if (!cell) continue;
       const row = state.rowOf(cell.textContent.trim());
-      const button = element("button", { type: "button", className: "plain", textContent: cell.textContent.trim() });
-      button.setAttribute("aria-label", `Select ${state.label(row)}`);
-      button.addEventListener("click", () => state.toggle(row));
-      cell.replaceChildren(button);
+      cell.replaceChildren(designButton(row, cell.textContent.trim()));
       line.classList.toggle("advised", advised().some((design) => design.row === row));
       line.addEventListener("pointerenter", () => state.point(row));
       line.addEventListener("focusin", () => state.point(row));
@@ -194,6 +212,16 @@
     table?.addEventListener("focusout", () => state.point(null));
   }
 
+  // Words of designs in a text become buttons that select them.
+  function linkDesigns(place) {
+    const rowOf = (word) => (state.designs().word[state.rowOf(word)] === word ? state.rowOf(word) : undefined);
+    const part = (text) => (rowOf(text) === undefined ? text : designButton(rowOf(text), text));
+    const walker = document.createTreeWalker(place, NodeFilter.SHOW_TEXT);
+    const texts = [];
+    while (walker.nextNode()) texts.push(walker.currentNode);
+    for (const text of texts) text.replaceWith(...text.data.split(/([\w+-]+)/).map(part));
+  }
+
   await state.load();
   for (const controls of document.querySelectorAll(".controls[hidden]")) controls.hidden = false;
   axisChoices();
@@ -201,6 +229,7 @@
   explorationFinder.start();
   explorationBrushes.start();
   ladderRows();
+  for (const place of document.querySelectorAll("#answer p, #won, #changes, #bests tbody")) linkDesigns(place);
   explorationMoves.start(moves);
   document.getElementById("clear").addEventListener("click", state.clear);
   state.onChange((what) => {

@@ -17,7 +17,8 @@ const explorationBrushes = (() => {
     return [Math.floor(low / step) * step, Math.ceil(high / step) * step].map((value) => Number(value.toPrecision(8)));
   }
 
-  // Where a pointer is in a view: the objective whose axis is near, and the height from 0 to 1.
+  // Returns a pointer's position in a view: the objective whose axis is near, and the height from 0
+  // to 1.
   function placeIn(view, event) {
     const svg = view.container().querySelector("svg");
     const box = svg.getBoundingClientRect();

@@ -135,7 +135,7 @@ const explorationCards = (() => {
     return { figure, spec: explorationCharts.ranks({ ranks }) };
   }
 
-  // Which grasp the schematics show: of all designs the same, to compare them.
+  // Selects the grasp of the schematics: the same for all designs, to compare them.
   function graspChoice() {
     const select = document.getElementById("grasp");
     reeve.data.commands.one.forEach((held, i) =>

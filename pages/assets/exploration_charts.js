@@ -8,17 +8,18 @@
 // for each of `objectives`. The best come first. `bands`, where there are any, has for each objective
 // null or {low, high}: columns of the 5 % and the 95 % quantile, null where there is none.
 const explorationCharts = (() => {
-  const kinds = ["listed", "on the front", "known routing", "random sample"];
+  const kinds = ["listed", "on the front", "known routing", "random sample", "named, not listed"];
   const front = 1;
   const known = 2;
   const sample = 3;
-  const layers = [3, 0, 1, 2]; // kinds, drawn one above the other
+  const named = 4;
+  const layers = [3, 0, 1, 2, 4]; // kinds, drawn one above the other
   const letters = "ABCD";
   const grid = { columns: 110, lines: 75 }; // cells of the plot, each with one design at most
   const mostLines = 500;
   const mostBands = 16;
 
-  // What there is none of, such as a motor force where no force is enough, is null.
+  // A missing value, such as a motor force if no force is enough, is null.
   const number = (value) => {
     if (value === null) return "-";
     return Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(4)));
@@ -52,7 +53,7 @@ const explorationCharts = (() => {
 
   const place = (value, [low, high]) => (high > low ? (value - low) / (high - low) : 0.5);
 
-  // Of designs that lie in one cell of the figure only the first is drawn; those on the front that
+  // Only the first of the designs in one cell of the figure is drawn. Designs on the front that
   // differ by more than a dot, and the known routings, always are.
   function thinned(designs, rows, [xs, ys], { columns, lines }) {
     const ranges = [range(xs, rows), range(ys, rows)];
@@ -63,7 +64,7 @@ const explorationCharts = (() => {
       const finer = kind === front ? 5 : 1;
       const across = Math.round(place(xs[row], ranges[0]) * columns * finer);
       const up = Math.round(place(ys[row], ranges[1]) * lines * finer);
-      const cell = kind === known ? `known ${row}` : `${kind === front} ${kind === sample} ${across} ${up}`;
+      const cell = kind === known || kind === named ? `${row}` : `${kind === front} ${kind === sample} ${across} ${up}`;
       const here = cells.get(cell);
       if (here) here.count += 1;
       else cells.set(cell, { row, count: 1 });
@@ -165,7 +166,7 @@ const explorationCharts = (() => {
       x, y, text: [names.sort().join(", "), ...notes].filter(Boolean).join("; ") }));
   }
 
-  // What an axis reaches over: a little beyond the marks, and never beyond what is possible.
+  // Returns the range of an axis: a little beyond the marks, and never beyond the possible values.
   function domain([low, high], { least, greatest, count }) {
     if (!(low <= high)) return [least ?? 0, greatest ?? (least ?? 0) + 1];
     const beyond = high > low ? 0.04 * (high - low) : count ? 1 : Math.max(0.05 * Math.abs(high), 0.01);
@@ -184,13 +185,13 @@ const explorationCharts = (() => {
     for (const param of spec.params ?? []) param.value = params[param.name] ?? param.value;
     return spec;
   };
-  // Of the kinds those that some of the marks have, in their order.
+  // Returns the kinds that some of the marks have, in the order of all kinds.
   const present = (marks) => {
     const found = new Set(marks.map(({ kind }) => kind));
     return kinds.filter((kind) => found.has(kind));
   };
-  const sizes = [30, 80, 110, 22];
-  const opacities = [0.55, 1, 1, 0.35];
+  const sizes = [30, 80, 110, 22, 90];
+  const opacities = [0.55, 1, 1, 0.35, 1];
 
   // The designs of a plot, as its marks.
   function marks(data, rows, columns) {
@@ -209,13 +210,33 @@ const explorationCharts = (() => {
       .sort((a, b) => above(a) - above(b) || b.row - a.row);
   }
 
-  // What the axes reach over: `whole` holds all; `near` is about what none beats in both, or null
-  // where hardly anything lies there.
+  // Returns the ranges of the axes: `whole` holds all; `near` is about the designs that none beats
+  // in both objectives, or null if hardly anything lies there.
   function windows(chosen, ranges, bars, places) {
     const whole = chosen.map((objective, i) => domain(withBars(ranges[i], bars, i), objective));
     const edge = frontLine(places, chosen, ranges).slice(1, -1).map(({ x, y }) => [x, y]);
-    const near = explorationWindow.near(chosen, ranges, edge, places);
+    const near = explorationWindow.near(edge, places);
     return { whole, near: near && chosen.map((objective, i) => domain(near[i], objective)) };
+  }
+
+  // Places the labels of a plot: more texts, [{x, y, text}], go before the others. One that lies
+  // outside the view stands at its edge, with an arrow.
+  function labeller(texts, points, reach, { width, height }) {
+    const pixels = ({ x, y }) => ({ x: place(x, reach[0]) * width, y: (1 - place(y, reach[1])) * height });
+    const values = ([x, y]) => [[x / width, reach[0]], [1 - y / height, reach[1]]].map(([share, [low, high]]) => low + share * (high - low));
+    const seen = ({ x, y, text }) => {
+      const [across, up] = explorationWindow.nearest(reach, [x, y]);
+      const arrow = explorationWindow.arrow(reach, [x, y]);
+      return { x: across, y: up, text, beyond: arrow };
+    };
+    const marks = points.map(pixels);
+    return (more) => {
+      const spots = [...more, ...texts].map(seen).map((spot) => ({ ...spot, at: spot, ...pixels(spot) }));
+      return explorationLabels.place(spots, { width, height }, marks).map(({ at, text, dx, dy, align, leader }) => {
+        const [[fromX, fromY], [toX, toY]] = [leader.from, leader.to].map(values);
+        return { x: at.x, y: at.y, text, dx, dy, align, fromX, fromY, toX, toY };
+      });
+    };
   }
 
   // data: {objectives, ranking, designs}; axes: indices of two objectives; rows: which designs;
@@ -243,16 +264,10 @@ const explorationCharts = (() => {
     const rings = advised
       .filter(({ row }) => among.has(row))
       .map(({ row, label: note }) => ({ row, label: note, x: columns[0][row], y: columns[1][row], tip: tip(data, row, 1) }));
-    const named = namedSpots(data, points, reach, rings);
-    const pixels = ({ x, y }) => ({
-      x: place(x, reach[0]) * size.width, y: (1 - place(y, reach[1])) * size.height });
-    // More texts, [{x, y, text}], go before those; each stands clear of its mark and of the others'.
-    const labelsBeside = (more) => {
-      const wanted = [...more.filter(({ x, y }) => explorationWindow.holds(reach, [x, y])), ...named];
-      const spots = wanted.map((spot) => ({ at: spot, text: spot.text, ...pixels(spot) }));
-      return explorationLabels.place(spots, size).map(({ at, text, dx, dy, align }) =>
-        ({ x: at.x, y: at.y, text, dx, dy, align }));
-    };
+    const outside = advised.filter(({ row }) => all.includes(row) && hasPlace(row) && !among.has(row)).map(({ row, label: text }) =>
+      ({ x: columns[0][row], y: columns[1][row], text }));
+    const texts = [...namedSpots(data, points, reach, rings), ...outside];
+    const labelsBeside = labeller(texts, points, reach, size);
     const spec = specification(
       "pareto",
       { edge: line, bands: bars, points, labels: labelsBeside([]), advised: rings },
@@ -261,7 +276,7 @@ const explorationCharts = (() => {
     axis(spec.encoding.x, chosen[0]);
     axis(spec.encoding.y, chosen[1]);
     spec.height = size.height;
-    return { drawn: points.length, inside: inside.length, of: all.length, cut, labelsBeside, reach, whole, near, spec };
+    return { drawn: points.length, inside: inside.length, of: all.length, cut, hasPlace, labelsBeside, reach, whole, near, spec };
   }
 
   // tensions: [{held, strand, tension}]

@@ -1,6 +1,6 @@
 "use strict";
 
-// Which columns of the table are shown: the reader's choice, but for those that name a design.
+// Columns of the table that are shown: the reader's choice, and always those that name a design.
 const explorationColumns = (() => {
   const state = explorationState;
   const table = document.getElementById("designs");

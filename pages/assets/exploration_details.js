@@ -1,7 +1,7 @@
 "use strict";
 
-// What the page holds of a design besides its values: schematics, tensions and contacts, packed
-// together with those of other designs.
+// Data of a design besides its values: schematics, tensions and contacts, packed together with
+// those of other designs.
 const explorationDetails = (() => {
   const packs = new Map(); // chunk -> promise of its designs and of their schematics' lines
 

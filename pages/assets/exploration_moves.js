@@ -1,18 +1,19 @@
 "use strict";
 
 // Moves of the reader in the plot. By pointer: drag to move, ctrl and wheel to zoom. By keyboard:
-// arrows go from mark to mark, Enter selects, + and - zoom, shift and arrows move. By buttons: all
+// arrows go from design to design, Enter selects, + and - zoom, shift and arrows move. By buttons: all
 // that a finger on a phone needs, where dragging scrolls the page.
 const explorationMoves = (() => {
   const still = 4; // px: what moves less is a click
-  const step = 0.2; // of the window
+  const step = 0.2; // share of the window
   const closer = 0.6;
+  const steps = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1, Home: -Infinity, End: Infinity };
   const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
   const { zoomed, moved } = explorationWindow;
-  let from = null; // where a drag began; it goes on where the plot is drawn anew
+  let from = null; // start of a drag, which goes on if the plot is drawn anew
   let dragged = false;
 
-  // Where a pointer is, as shares of both axes.
+  // Returns a pointer's position, as shares of both axes.
   function shares(view, event) {
     const svg = view.container().querySelector("svg");
     const box = svg.getBoundingClientRect();
@@ -20,18 +21,6 @@ const explorationMoves = (() => {
     const [left, top] = view.origin();
     return [((event.clientX - box.left) * shrunk - left) / view.width(),
       1 - ((event.clientY - box.top) * shrunk - top) / view.height()];
-  }
-
-  // The nearest mark in the direction of an arrow: what lies aside counts double.
-  function next(points, from, [right, up], [[x0, x1], [y0, y1]]) {
-    if (!from) return points.at(-1);
-    const far = (point) => {
-      const along = [(point.x - from.x) / (x1 - x0), (point.y - from.y) / (y1 - y0)];
-      const ahead = right ? right * along[0] : up * along[1];
-      return ahead > 1e-9 ? ahead + 2 * Math.abs(right ? along[1] : along[0]) : Infinity;
-    };
-    const nearest = points.reduce((best, point) => (far(point) < far(best) ? point : best));
-    return far(nearest) < Infinity ? nearest : from;
   }
 
   function listenToPointer(view, plot) {
@@ -65,8 +54,8 @@ const explorationMoves = (() => {
       if (event.ctrlKey || event.altKey || event.metaKey) return;
       if (event.key === "+" || event.key === "-") plot.show(zoomed(plot.window(), event.key === "+" ? closer : 1 / closer));
       else if (arrow && event.shiftKey) plot.show(moved(plot.window(), arrow.map((way) => step * way)));
-      else if (arrow) plot.point(next(plot.points(), plot.pointed(), arrow, plot.window()));
-      else if (event.key === "Enter" && plot.pointed()) plot.toggle(plot.pointed());
+      else if (event.key in steps) plot.step(steps[event.key]);
+      else if (event.key === "Enter" && plot.pointed() !== null) plot.toggle(plot.pointed());
       else return;
       event.preventDefault();
     };
@@ -87,5 +76,5 @@ const explorationMoves = (() => {
     on("zoom-out", () => plot.show(zoomed(plot.window(), 1 / closer)));
   }
 
-  return { listen, start, next, wasDragged: () => dragged };
+  return { listen, start, wasDragged: () => dragged };
 })();

@@ -6,6 +6,7 @@ const explorationPanel = (() => {
   const state = explorationState;
   const { element } = explorationTable;
   const place = document.getElementById("slots");
+  const preview = document.getElementById("preview"); // beside the table, where the panel is out of view
   const parts = { sheaths: "sheath", pulleys: "pulley", knots: "knot", blocks: "floating block" };
   let asked = 0; // counts drawings, so that a late one does not overwrite a newer one
 
@@ -21,7 +22,7 @@ const explorationPanel = (() => {
     const { first, heading: affordable, affordable: word, knee } = reeve.data.ladder;
     const own = state.designs().word[row];
     const roles = [
-      own === first && "First", own === word && affordable, own === knee && "knee of the ladder"].filter(Boolean);
+      own === first && "Best", own === word && affordable, own === knee && "knee of the trade-off"].filter(Boolean);
     if (roles.length === 0) roles.push(explorationCharts.kinds[state.designs().kind[row]]);
     return [state.letter(row) || "Pointed at", roles.join(", ")].join(" · ");
   }
@@ -66,7 +67,7 @@ const explorationPanel = (() => {
     made.setAttribute("aria-label", `Strand tensions, ${held}: ${text}`);
     const [least, greatest] = explorationCharts.range(tensions.map(({ tension }) => tension), tensions.map((_, i) => i));
     return [made, element("p", { className: "soft", textContent:
-      `Strand tensions, ${held}: ${least.toFixed(3)} to ${greatest.toFixed(3)} N per N` })];
+      `Strand tensions, ${held}: ${least.toFixed(3)} to ${greatest.toFixed(3)} N per N of motor tension` })];
   }
 
   function slot(row, design, most, against, number) {
@@ -92,6 +93,9 @@ const explorationPanel = (() => {
     const most = Math.max(0, ...designs.flatMap((design) =>
       design ? explorationDetails.strands(design, 0).map(({ tension }) => tension) : []));
     place.replaceChildren(...rows.map((row, i) => slot(row, designs[i], most, rows[0], i)));
+    const pointed = Math.max(0, rows.indexOf(state.pointed()));
+    preview.replaceChildren(
+      ...rows.slice(pointed, pointed + 1).map((row) => slot(row, designs[pointed], most, rows[0], "preview")));
   }
 
   function start() {

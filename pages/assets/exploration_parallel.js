@@ -4,13 +4,13 @@
 // many of all designs have a value. The still figure shows the same designs by the same rules.
 const explorationParallel = (() => {
   const { number, range, place, label, kinds, layers, specification, present } = explorationCharts;
-  const mostLines = 30; // of the best; more cannot be told apart
+  const mostLines = 30; // number of best designs; more lines cannot be told apart
   const bins = 24;
-  const widest = 0.72; // of the way from axis to axis
+  const widest = 0.72; // share of the way from axis to axis
   const known = 2;
 
   const up = ({ better }) => better === "higher";
-  const axis = (objective) => objective.title + (up(objective) ? "" : " (turned)");
+  const axis = (objective) => objective.title + (up(objective) ? "" : " (inverted)");
 
   // From 0, the worst, to 1, the best; null where there is no value.
   function height(objective, extent, value) {
@@ -47,6 +47,9 @@ const explorationParallel = (() => {
     });
   }
 
+  // So many pixels the longest of the numbers takes, turned by a quarter.
+  const turnedRoom = (ends) => 14 + 6 * Math.max(...ends.map(({ text }) => text.length));
+
   // data: {objectives, designs}; rows: which designs; base: those that the axes reach over, which
   // they do whatever range is kept on one; ranges: Map of objective to [low, high]; width: of the
   // figure, px. Gives the specification; `points`, of one design; `extents`, of the axes; and how
@@ -75,12 +78,13 @@ const explorationParallel = (() => {
       const text = low <= high ? number(up(objective) === (at === 1) ? high : low) : "";
       return { axis: axis(objective), at, text };
     });
+    const [bottom, top] = [end(0), end(1)];
     const step = width / (objectives.length - 0.2);
     const spec = specification(
       "parallel",
-      { density: density(designs, all, objectives, extents, step), lines, bottom: end(0), top: end(1),
+      { density: density(designs, all, objectives, extents, step), lines, bottom, top,
         brushes: brushes(objectives, extents, ranges) },
-      { narrow, present: present(lines) },
+      { narrow, room: narrow ? turnedRoom([...bottom, ...top]) : 20, present: present(lines) },
     );
     spec.encoding.x.scale.domain = objectives.map(axis);
     return { drawn: chosen.length, of: all.length, points, extents, spec };
@@ -88,7 +92,7 @@ const explorationParallel = (() => {
 
   const clamped = (at) => Math.min(1, Math.max(0, at));
 
-  // What is kept of each axis, as marks.
+  // Returns the ranges that are kept of each axis, as marks.
   function brushes(objectives, extents, ranges) {
     return [...ranges].map(([column, kept]) => {
       const ends = kept.map((value) => clamped(height(objectives[column], extents[column], value)));

@@ -12,7 +12,7 @@ const explorationParts = (() => {
     ["tube", "a tube at the hand", (word) => /-T-/.test(word)],
     ["pulley", "a fixed pulley at the hand", (word) => /-B-/.test(word)],
     ["carriage_pulley", "a movable pulley on the carriage", (word) => /-P-/.test(word)],
-    ["floating", "a floating pulley", (word) => /Y\d/.test(word)],
+    ["floating", "a floating block", (word) => /Y\d/.test(word)],
     ["bar", "a rigid bar", (word) => /W\d/.test(word)],
     ["loop", "a closed loop", (word) => word.split("+").some(isLoop)],
     ["several", "several tendons", (word) => word.includes("+")],
@@ -29,5 +29,12 @@ const explorationParts = (() => {
     Object.entries(wanted).every(([key, want]) =>
       key === "sheaths" ? sheaths(word) === Number(want) : test.get(key)(word) === (want === "with"));
 
-  return { kinds, sheaths, has, mostDrawn };
+  // "sheaths:1,tied:with", as the address has it; what is no choice is left out.
+  function read(text) {
+    const pairs = (text ?? "").split(",").map((part) => part.split(":"));
+    return Object.fromEntries(pairs.filter(([key, want]) =>
+      key === "sheaths" ? /^\d+$/.test(want) : test.has(key) && ["with", "without"].includes(want)));
+  }
+
+  return { kinds, sheaths, has, read, mostDrawn };
 })();

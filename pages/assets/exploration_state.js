@@ -1,7 +1,8 @@
 "use strict";
 
-// What an exploration's page knows and what the reader chose: the designs, the selection, the axes,
-// the filter and the columns that are put away. Whoever shows them asks to be told of changes:
+// State of an exploration's page and the reader's choices: the designs, the selection, the axes,
+// the filter and the hidden columns. Its listeners are told of changes: "selection", "pointed",
+// "axes", "rows", "columns" or "all".
 // "selection", "pointed", "axes", "rows", "columns" or "all".
 const explorationState = (() => {
   const most = 4; // designs side by side
@@ -32,6 +33,7 @@ const explorationState = (() => {
     const kind = designs.kind[row];
     const has = {
       listed: designs.rank[row] > 0,
+      named: reeve.data.ladder.named.includes(designs.word[row]),
       front: designs.front[row] === 1,
       known: kind === 2,
       sample: kind === 3,
@@ -47,7 +49,7 @@ const explorationState = (() => {
     });
   }
 
-  // What there is no value of, such as a motor force where none is enough, is the worst.
+  // A missing value, such as a motor force if no force is enough, is the worst.
   const valueOf = (column, row) =>
     designs.values[column][row] ?? (objectives[column].better === "lower" ? Infinity : -Infinity);
 
@@ -80,14 +82,16 @@ const explorationState = (() => {
     }));
   }
 
-  // The address holds what can be mailed: which designs, along which axes, in which ranges, and
-  // which columns are put away.
+  // The address holds what can be mailed: which designs, along which axes, in which ranges, of which
+  // parts, and which columns are put away.
   function writeAddress() {
     const parts = new URLSearchParams();
     parts.set("select", selected.map((row) => designs.word[row]).join(","));
     parts.set("x", objectives[axes[0]].name);
     parts.set("y", objectives[axes[1]].name);
     if (ranges.size > 0) parts.set("ranges", rangesText());
+    const chosen = Object.entries(filter.parts).map((choice) => choice.join(":"));
+    if (chosen.length > 0) parts.set("parts", chosen.join(","));
     if (hidden.size > 0) parts.set("without", [...hidden].join(","));
     history.replaceState(null, "", `#${parts}`);
   }
@@ -103,6 +107,7 @@ const explorationState = (() => {
       return column < 0 ? axes[which] : column;
     });
     ranges = readRanges(parts.get("ranges"));
+    filter.parts = explorationParts.read(parts.get("parts"));
     hidden = new Set((parts.get("without") ?? "").split(",").filter(Boolean));
     return true;
   }
@@ -191,6 +196,7 @@ const explorationState = (() => {
 
   function setFilter(changes) {
     Object.assign(filter, changes);
+    writeAddress();
     applyFilter();
   }
 

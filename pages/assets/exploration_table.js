@@ -18,7 +18,7 @@ const explorationTable = (() => {
     return made;
   };
 
-  // What to sort by: a name of designs' columns, or the number of an objective.
+  // Returns the sort key: a name of designs' columns, or the number of an objective.
   function key(column) {
     const designs = state.designs();
     if (typeof column === "number") return (row) => designs.values[column][row];
@@ -27,7 +27,7 @@ const explorationTable = (() => {
     return (row) => designs[column][row];
   }
 
-  // What has no value comes last, whichever way.
+  // Missing values come last, in either direction.
   function compare(a, b, down) {
     const missing = (value) => value === null || value === "" || value === undefined;
     if (missing(a) !== missing(b)) return missing(a) ? 1 : -1;
@@ -121,7 +121,7 @@ const explorationTable = (() => {
     return line;
   }
 
-  // Where a filter leaves nothing, that stands in the place of what it left out.
+  // A note in place of the table if no design passes the filter.
   function nothing() {
     const clear = element("button", { type: "button", textContent: "Clear the filter" });
     clear.addEventListener("click", state.clearFilter);
@@ -214,7 +214,7 @@ const explorationTable = (() => {
     return column;
   }
 
-  // What the filter is, where it was changed elsewhere.
+  // Shows the filter if it was changed elsewhere.
   function showFilter() {
     document.getElementById("filter-text").value = state.filter.text;
     document.getElementById("filter-which").value = state.filter.which;

@@ -3,8 +3,7 @@
 // The window of the plot: which part of two axes it shows, as [[low, high], [low, high]]. Near the
 // front designs lie so close that among all of them they are one spot.
 const explorationWindow = (() => {
-  const tenth = 0.1; // of the spread of all values
-  const fewest = 5; // places; fewer need no window of their own
+  const opened = 8; // places; fewer need no window of their own
 
   const holds = (window, point) => window.every(([low, high], axis) => point[axis] >= low && point[axis] <= high);
 
@@ -12,20 +11,37 @@ const explorationWindow = (() => {
     [0, 1].map((axis) => points.map((point) => point[axis]))
       .map((values) => values.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]));
 
-  // About the front: what lies in the best tenth of both spreads, or no farther than the front
-  // reaches; null if that are only a few places. `chosen`: two objectives; edge and places: points.
-  function near(chosen, ranges, edge, places) {
+  // About the front: the edge and the places nearest to it, by shares of what all span; null if
+  // there are only a few, or if they are all. Edge and places: points.
+  function near(edge, places) {
     const reached = extents(edge);
-    const best = chosen.map(({ better }, axis) => {
-      const [low, high] = ranges[axis];
-      const part = tenth * (high - low);
-      return better === "higher"
-        ? [Math.min(high - part, reached[axis][0]), high]
-        : [low, Math.max(low + part, reached[axis][1])];
-    });
-    const inside = places.filter((point) => holds(best, point));
-    return new Set(inside.map((point) => point.join())).size < fewest ? null : extents(inside);
+    const spans = extents(places).map(([low, high]) => high - low || 1);
+    const distance = (point) => Math.max(...point.map((value, axis) =>
+      Math.max(0, reached[axis][0] - value, value - reached[axis][1]) / spans[axis]));
+    const distances = [...new Map(places.map((point) => [point.join(), distance(point)])).values()];
+    if (distances.length <= opened) return null;
+    const limit = distances.sort((a, b) => a - b)[opened - 1];
+    const inside = places.filter((point) => distance(point) <= limit);
+    return inside.length === places.length ? null : extents(inside);
   }
+
+  // An arrow to where a point lies beyond a window; "" within it.
+  function arrow(window, point) {
+    const [across, up] = window.map(([low, high], axis) => (point[axis] < low ? -1 : point[axis] > high ? 1 : 0));
+    return ["↙←↖", "↓ ↑", "↘→↗"][across + 1][up + 1].trim();
+  }
+
+  // The nearest point of a window.
+  const nearest = (window, point) =>
+    window.map(([low, high], axis) => Math.min(Math.max(point[axis], low), high));
+
+  // Moved only as far as shows a point, with room about it.
+  const showing = (window, point) =>
+    window.map(([low, high], axis) => {
+      const room = 0.1 * (high - low);
+      const by = Math.min(0, point[axis] - room - low) + Math.max(0, point[axis] + room - high);
+      return [low + by, high + by];
+    });
 
   // No wider than the whole, and not beyond it.
   function within(window, whole) {
@@ -48,5 +64,5 @@ const explorationWindow = (() => {
   const moved = (window, by) =>
     window.map(([low, high], axis) => [low + by[axis] * (high - low), high + by[axis] * (high - low)]);
 
-  return { near, holds, within, zoomed, moved };
+  return { near, holds, arrow, nearest, showing, within, zoomed, moved };
 })();

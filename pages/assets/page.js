@@ -1,6 +1,6 @@
 "use strict";
 
-// What all pages share: saving of figures, tables that sort, folds.
+// Common parts of all pages: saving of figures, tables that sort, folds.
 const reeve = (() => {
   function download(name, url) {
     const link = document.createElement("a");
@@ -47,7 +47,8 @@ const reeve = (() => {
   // saved figure has its own colours, on white, for papers.
   const stillSvg = (figure) => new XMLSerializer().serializeToString(figure.querySelector("svg"));
 
-  // Of a figure that was put into the page later, too. What `svgText` gives, or promises, is saved.
+  // Adds saving to a figure, also to one that was put into the page later. The result of `svgText`,
+  // or of its promise, is saved.
   function savable(figure, name = figure.dataset.file || figure.id, svgText = () => stillSvg(figure)) {
     addSaving(figure, name, svgText);
   }

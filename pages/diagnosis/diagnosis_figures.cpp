@@ -12,7 +12,8 @@
 namespace reeve::pages {
 namespace {
 
-constexpr double linear_to_N = 0.1;  // of the logarithmic scales: a slack strand reads 0
+// linear part of the logarithmic scales: a slack strand reads 0
+constexpr double linear_to_N = 0.1;
 
 struct FigureModel {
   const char* title;
@@ -20,8 +21,8 @@ struct FigureModel {
 };
 
 std::vector<FigureModel> models(const DiagnosisReport& report) {
-  if (report.result.causes.empty()) return {{"the model as it stands", &ReadingMark::before_N}};
-  return {{"before: the model as it stands", &ReadingMark::before_N},
+  if (report.result.causes.empty()) return {{"the nominal model", &ReadingMark::before_N}};
+  return {{"before: the nominal model", &ReadingMark::before_N},
           {"after: the extended model", &ReadingMark::after_N}};
 }
 
@@ -78,7 +79,7 @@ std::vector<chart::Layer> layers(const std::vector<ReadingMark>& marks, const Fi
   return layers;
 }
 
-// What hollow and filled symbols mean; without marks, only for the legend.
+// Explains hollow and filled symbols in the legend; it draws no marks.
 void explain_filling(chart::Panel& panel) {
   chart::Style grey{chart::Colour::grey, chart::Symbol::circle, 3.2, 1.2, 0};
   panel.layers.push_back({"fitted to", grey, chart::Points{}});
@@ -247,7 +248,7 @@ Figure runs_figure(const DiagnosisReport& report) {
   const std::size_t drawn = std::min(all, most_runs);
   const bool extended = !report.result.causes.empty();
   std::string caption = simulated_label(report) +
-                        (extended ? "From the model as it stands to the extended one. " : "") +
+                        (extended ? "From the nominal model to the extended one. " : "") +
                         "Grey ticks: what noise alone leaves on average.";
   if (all > drawn) {
     caption +=

@@ -34,10 +34,10 @@ Figure runs_figure(const DiagnosisReport& report);
 // A parameter's estimate with its interval, beside its nominal value and the literature's range.
 Figure parameters_figure(const DiagnosisReport& report);
 
-// Of a chart's named row.
+// Height of a chart's named row.
 inline constexpr double row_px = 26;
 
-// Of a figure whose points may be a part of all.
+// Returns the caption of a figure that may draw a part of all points.
 std::string thinned_text(const DiagnosisReport& report, std::size_t drawn);
 
 }  // namespace reeve::pages

@@ -68,7 +68,7 @@ VerdictLabel verdict_label(const DiagnosisReport& report) {
     case Verdict::unexplained:
       return {"Something is wrong that no known cause explains", "question"};
     case Verdict::indistinguishable:
-      return {"Several causes explain the data alike", "alike"};
+      return {"Ambiguous: several causes explain the data equally well", "alike"};
     case Verdict::too_few:
       return {"Too few readings to say anything", "open"};
   }
@@ -79,7 +79,7 @@ std::string compared_alt(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   const std::string what =
       result.causes.empty()
-          ? "Measured over predicted tensions of the model as it stands. "
+          ? "Measured over predicted tensions of the nominal model. "
           : "Measured over predicted tensions, before and after the model is extended. ";
   if (!result.held_out) {
     return what + fmt::format("{} values.", result.cells.size());

@@ -19,7 +19,7 @@ constexpr std::uint32_t stream = 0x3a9;
 
 using Value = std::function<std::optional<double>(const Reading&)>;
 
-// Those that the file's format names, then the user's own.
+// Returns the columns that the file's format names, then the user's own.
 std::vector<MarkColumn> known_columns() {
   return {
       {"residuals-load", "load: motor tension, N", nullptr,

@@ -14,7 +14,7 @@ namespace reeve::pages {
 struct ReadingMark {
   const Reading* reading = nullptr;
   double measured_N = 0;
-  double before_N = 0;         // by the model as it stands
+  double before_N = 0;         // by the nominal model
   double after_N = 0;          // by the extended one
   double residual_before = 0;  // sd of the noise
   double residual_after = 0;
@@ -35,9 +35,9 @@ struct MarkColumn {
 
 struct MarkColumns {
   std::vector<MarkColumn> shown;
-  std::vector<std::string> missing;   // that the file does not have
-  std::vector<std::string> constant;  // that never change, with their value
-  std::size_t not_drawn = 0;          // beyond what a page holds
+  std::vector<std::string> missing;   // columns that the file does not have
+  std::vector<std::string> constant;  // columns that never change, with their value
+  std::size_t not_drawn = 0;          // columns beyond the limit of a page
 };
 
 MarkColumns mark_columns(const DiagnosisReport& report);

@@ -21,9 +21,9 @@ namespace {
 // A page of some megabytes opens anywhere: so many marks in the main chart, and in each small one.
 constexpr std::size_t most_compared = 1500;
 constexpr std::size_t most_residuals = 500;
-// Of the stretches' table; diagnosis.json has all.
+// Greatest number of rows in the stretches' table; diagnosis.json has all.
 constexpr std::size_t most_stretches = 200;
-// Of the grasps whose tension distributions are drawn.
+// Greatest number of grasps whose tension distributions are drawn.
 constexpr std::size_t most_grasps = 4;
 
 // Keeps what is drawn, for the files beside the page.
@@ -79,7 +79,7 @@ Json lead_figures(const DiagnosisReport& report, Figures& figures) {
 }
 
 // The tensions are for one newton at the motor, as everywhere in schematics.
-std::string schematic_of(const ShownRouting& next, const DiagnosisReport& report,
+std::string schematic_of(const SolvedRouting& next, const DiagnosisReport& report,
                          Figures& figures) {
   const ShownGrasp& shown = next.grasps.front();
   const std::string title = next.name.empty() ? next.word : next.name + ": " + next.word;
@@ -122,7 +122,7 @@ std::size_t cut_to_grasps(std::vector<TensionDistribution>& list, std::size_t mo
   return grasps - std::min(grasps, most);
 }
 
-// What the page does not say of the data anyway.
+// Returns the notes on the data that the page does not have elsewhere.
 std::string own_notes(TensionDistributions distributions, const std::vector<DataNote>& said) {
   if (!distributions.data) return distribution_notes(distributions);
   SharedData& data = *distributions.data;
@@ -169,8 +169,8 @@ Json loss_values(const DiagnosisReport& report) {
   const std::size_t all = table.rows.size();
   table.rows.resize(std::min(all, most_stretches));
   return {{"table", html({"losses",
-                          "What is left of the tension from one sensor to the next, where all "
-                          "contacts between them slide",
+                          "Tension ratio from one sensor to the next, where all contacts between "
+                          "them slide",
                           std::move(table), true})},
           {"more", all > most_stretches ? Json(all - most_stretches) : Json(nullptr)},
           {"apart", sentences(loss_sentences(report))}};

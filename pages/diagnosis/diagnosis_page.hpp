@@ -16,10 +16,10 @@ namespace reeve::pages {
 
 struct DiagnosisPageInput {
   const DiagnosisReport& report;
-  std::string command;  // which makes the page again
+  std::string command;  // the command that makes the page again
   // The routing of the next measurement in its grasp, by the extended model; without it the
   // measurement has no schematic.
-  std::optional<ShownRouting> next{};
+  std::optional<SolvedRouting> next{};
   // Before and after; without it the page has none.
   std::optional<TensionDistributions> distributions{};
 };

@@ -19,7 +19,7 @@ constexpr std::size_t most_bins = 8;
 
 using Residual = double ReadingMark::*;
 
-// Where the marks lie along the column, NaN for those that have no value of it.
+// Positions of the marks along the column; NaN for those that have no value of it.
 struct PlacesAlong {
   std::vector<std::string> categories;  // in the order in which they come first; none for numbers
   std::vector<double> places;           // parallel to the marks

@@ -38,7 +38,7 @@ void add_gain(Table& table, const std::string& name, const HeldOut& held_out) {
 }
 
 std::string weighed_caption(const DiagnosisResult& result) {
-  std::string caption = "Gain in log-likelihood over the model as it stands";
+  std::string caption = "Gain in log-likelihood over the nominal model";
   const std::optional<NoiseLimit>& limit = result.noise_limit;
   if (!limit) return caption;
   return caption + fmt::format("; as good as noise allows on the held-out runs: {} ({}), rms {}",
@@ -81,7 +81,7 @@ std::string findings_table(const DiagnosisReport& report) {
                p_number(cause.p_value, report.settings.replicates)});
   }
   std::string caption =
-      "What each explains of the residuals' root mean square, added from the greatest on";
+      "Part of the rms residual that each cause explains, added from the greatest on";
   if (causes.size() > most) caption += fmt::format("; {} more below", causes.size() - most);
   return written({"findings", caption, std::move(table)});
 }
@@ -105,11 +105,11 @@ std::string sizes_table(const DiagnosisResult& result) {
 
 std::string calibration_table(const DiagnosisResult& result) {
   Table table{{text_column("contacts"), text_column("parameter"), number_column("calibrated"),
-               number_column("95 % interval"), text_column("beside the hardware")},
+               number_column("95 % interval"), text_column("compared with the nominal value")},
               {}};
   for (const CalibratedCoefficient& coefficient : result.calibration) {
     const EstimatedParameter& parameter = coefficient.parameter;
-    const char* bound = parameter.at_bound ? ", a bound of what is searched" : "";
+    const char* bound = parameter.at_bound ? ", at the limit of the search" : "";
     table.add({coefficient.name, parameter.name, estimate(parameter, parameter.value),
                interval_of(parameter), capitalised(beside_hardware(coefficient)) + bound});
   }
@@ -141,7 +141,7 @@ std::string weighed_table(const DiagnosisResult& result) {
 
 std::string gains_table(const DiagnosisResult& result) {
   Table table{
-      {text_column("with"), number_column("rms before"), number_column("rms after"),
+      {text_column("with"), number_column("rms without it"), number_column("rms with it"),
        number_column("reduction"), number_column("interval"), number_column("log-likelihood gain"),
        number_column("interval"), number_column("expected, if right")},
       {}};
@@ -237,7 +237,7 @@ std::string friction_table(const Hardware& hardware) {
   if (hardware.block) add("floating block", *hardware.block);
   add("sheath", hardware.sheath);
   return written({"friction",
-                  "The model as it stands: friction by kind of part; diagnosis.json has what "
+                  "The nominal model: friction by kind of part; diagnosis.json has what "
                   "differs at single fingers and contacts",
                   std::move(table)});
 }

@@ -99,7 +99,7 @@ const char* source_text(NoiseSource source) {
     case NoiseSource::known:
       return "as told";
     case NoiseSource::residuals:
-      return "from what the model leaves";
+      return "from the residuals";
   }
   return "";
 }
@@ -134,7 +134,6 @@ Json cause_values(const DiagnosisReport& report) {
           {"groups", groups(result)},
           {"has_groups", !result.indistinguishable.empty()},
           {"margin", fmt::format("{:.2g}", least_evidence)},
-          {"chance", chance_text(result.p_value, report.settings.replicates)},
           {"has_held_out", result.held_out_runs > 0}};
 }
 
@@ -165,9 +164,7 @@ Json data_values(const DiagnosisPageInput& input) {
   const DiagnosisSettings& settings = report.settings;
   return {{"file", report.data.file},
           {"simulated", report.data.simulated},
-          {"rows", plural(result.rows, "reading")},
-          {"runs", plural(result.runs, "run")},
-          {"held_out", result.held_out_runs},
+          {"used", used_text(report)},
           {"duplicates", result.dropped_duplicates},
           {"thinned", result.thinned_rows},
           {"noise", fmt::format("{} of the reading and {}", fine_percent_text(noise.relative),

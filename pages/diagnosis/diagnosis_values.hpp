@@ -1,4 +1,4 @@
-// What the template of a diagnosis' page is filled with, but for its figures.
+// Values of the template of a diagnosis' page, without its figures.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ Json answer_values(const DiagnosisReport& report);
 // Tables and sentences of the causes: named, weighed, gains, what cannot be told apart.
 Json cause_values(const DiagnosisReport& report);
 
-// What the residuals could follow, and which columns there are not.
+// Patterns that the residuals could follow, and the columns that are missing.
 Json structure_values(const DiagnosisReport& report, const MarkColumns& columns);
 
 // The next measurement, without its schematic.
@@ -28,20 +28,20 @@ Json data_values(const DiagnosisPageInput& input);
 // The named terms, at most six, by what each explains of the residuals.
 std::string findings_table(const DiagnosisReport& report);
 std::string sizes_table(const DiagnosisResult& result);
-// What the free friction coefficients came to, whether or not they are causes.
+// Estimates of the free friction coefficients, whether or not they are causes.
 std::string calibration_table(const DiagnosisResult& result);
 std::string groups_table(const DiagnosisReport& report);
 // Every model that was weighed, the named one marked in words and by its sign.
 std::string weighed_table(const DiagnosisResult& result);
 std::string gains_table(const DiagnosisResult& result);
 std::string structure_table(const DiagnosisReport& report);
-// What the sensors should read in the next measurement, under each of what it separates.
+// Expected readings of the sensors in the next measurement, by each explanation that it separates.
 std::string expected_table(const DiagnosisResult& result);
 std::string ranking_table(const CatalogueRanking& ranking);
 std::string notes_table(const DiagnosisResult& result);
 std::string friction_table(const Hardware& hardware);
 
-// Whether the next measurement is to tell two causes apart.
+// True if the next measurement is to tell two causes apart.
 bool separates_causes(const DiagnosisResult& result);
 
 }  // namespace reeve::pages

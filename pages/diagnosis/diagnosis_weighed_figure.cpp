@@ -144,8 +144,7 @@ Figure weighed_figure(const DiagnosisReport& report) {
                               result.noise_limit ? "held-out" : "training");
   if (result.noise_limit) add_noise_limit(*result.noise_limit, panel);
   const chart::Style ink{chart::Colour::ink};
-  panel.layers.push_back(
-      {"", ink, chart::Rules{{{0, "the model as it stands", ""}}, chart::Along::x}});
+  panel.layers.push_back({"", ink, chart::Rules{{{0, "the nominal model", ""}}, chart::Along::x}});
   add_models(result, panel);
   const std::vector<std::string>& names = panel.y.categories;
   chart::Chart chart;

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "pages/exploration/exploration_designs.hpp"
@@ -62,6 +64,38 @@ Json slot(const std::string& id, const std::string& heading, const ListedDesign&
           {"svg", grasp_svg(solve(design.routing), 0, id)}};
 }
 
+void add_sentences(const std::vector<DocumentLine>& lines, Json& sentences) {
+  for (const DocumentLine& line : lines) sentences.push_back(line.text + ".");
+}
+
+// The answer's lines by themselves: the first design, when it jams, the advised one, and others.
+constexpr std::size_t first_lines = 3;
+
+// Returns the target, the first design and the advised one: a phone shows these words alone. When
+// the first one jams is no paragraph of its own: the first screen holds the plot, too.
+Json answer_first(const ExploreReport& report) {
+  Json sentences = Json::array();
+  add_sentences(target_lines(report.target), sentences);
+  std::vector<DocumentLine> lines = answer_lines(listed_designs(report), report.ladder);
+  if (lines.size() < first_lines) return sentences;
+  lines.resize(first_lines);
+  lines[0].text += ". " + lines[1].text;
+  lines.erase(lines.begin() + 1);
+  add_sentences(lines, sentences);
+  return sentences;
+}
+
+Json answer_further(const ExploreReport& report) {
+  Json sentences = Json::array();
+  std::vector<DocumentLine> lines = answer_lines(listed_designs(report), report.ladder);
+  lines.erase(lines.begin(),
+              lines.begin() + static_cast<std::ptrdiff_t>(std::min(first_lines, lines.size())));
+  add_sentences(lines, sentences);
+  add_sentences(motor_lines(report.motor, report.options.model.hardware.motor), sentences);
+  add_sentences(robust_lines(report.robust_first), sentences);
+  return sentences;
+}
+
 Json word_or_null(const ListedDesign* design) {
   return design == nullptr ? Json(nullptr) : Json(design->ranked.design.word);
 }
@@ -70,29 +104,10 @@ Json word_or_null(const ListedDesign* design) {
 
 Json answer_body(const ExploreReport& report, const SolveDesign& solve) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
-  Json body{{"answer", Json::array()}, {"slots", Json::array()}};
-  for (const DocumentLine& line : target_lines(report.target)) {
-    body["answer"].push_back(line.text + ".");
-  }
-  // The first and when it jams are one paragraph: the first screen holds the plot, too.
-  const std::vector<DocumentLine> answer = answer_lines(listed, report.ladder);
-  for (std::size_t i = 0; i < answer.size(); ++i) {
-    if (i == 1) {
-      Json& first = body["answer"].back();
-      first = first.get<std::string>() + " " + answer[i].text + ".";
-    } else {
-      body["answer"].push_back(answer[i].text + ".");
-    }
-  }
-  const MotorParts& motor = report.options.model.hardware.motor;
-  for (const DocumentLine& line : motor_lines(report.motor, motor)) {
-    body["answer"].push_back(line.text + ".");
-  }
-  for (const DocumentLine& line : robust_lines(report.robust_first)) {
-    body["answer"].push_back(line.text + ".");
-  }
+  Json body{{"answer", answer_first(report)}, {"further", answer_further(report)}};
+  body["slots"] = Json::array();
   if (listed.empty()) return body;
-  body["slots"].push_back(slot("slot-first", "First", listed.front(), report, solve));
+  body["slots"].push_back(slot("slot-first", "Best", listed.front(), report, solve));
   if (report.ladder.affordable) {
     const std::string heading = advised_text(report.ladder.ladder.options);
     body["slots"].push_back(
@@ -121,6 +136,10 @@ std::vector<AdvisedDesign> advised_designs(const ExploreReport& report) {
 Json ladder_marks(const ExploreReport& report) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
   const ListedLadder& ladder = report.ladder;
+  Json named = Json::array();
+  for (const ListedDesign* design : named_designs(report)) {
+    named.push_back(design->ranked.design.word);
+  }
   Json advised = Json::array();
   for (const AdvisedDesign& design : advised_designs(report)) {
     advised.push_back({{"word", design.word}, {"label", design.label}});
@@ -129,19 +148,28 @@ Json ladder_marks(const ExploreReport& report) {
           {"affordable", word_or_null(ladder.affordable ? &*ladder.affordable : nullptr)},
           {"knee", word_or_null(knee(ladder))},
           {"heading", advised_text(ladder.ladder.options)},
-          {"advised", std::move(advised)}};
+          {"advised", std::move(advised)},
+          {"named", std::move(named)}};
 }
 
-std::vector<const Routing*> ladder_routings(const ExploreReport& report) {
-  std::vector<const Routing*> routings;
-  std::set<std::string> held;
+std::vector<const ListedDesign*> named_designs(const ExploreReport& report) {
+  const ListedLadder& ladder = report.ladder;
+  std::vector<const ListedDesign*> designs;
+  std::set<std::string_view> held;
   const auto add = [&](const ListedDesign& design) {
-    if (held.insert(design.ranked.design.word).second) routings.push_back(&design.routing);
+    if (held.insert(design.ranked.design.word).second) designs.push_back(&design);
   };
   if (!listed_designs(report).empty()) add(listed_designs(report).front());
-  if (report.ladder.affordable) add(*report.ladder.affordable);
-  for (const ListedDesign& rung : report.ladder.rungs) add(rung);
-  return routings;
+  for (const auto* design : {&ladder.affordable, &ladder.with_bars, &ladder.never_jams}) {
+    if (*design) add(**design);
+  }
+  if (ladder.choice) {
+    add(ladder.choice->without);
+    add(ladder.choice->with);
+  }
+  if (report.robust_first) add(report.robust_first->robust.design);
+  for (const ListedDesign& rung : ladder.rungs) add(rung);
+  return designs;
 }
 
 }  // namespace reeve::pages

@@ -11,12 +11,15 @@
 
 namespace reeve::pages {
 
-// For exploration.mustache: "answer", lines; "slots", the drawings. Empty if no design is left.
+// For exploration.mustache: "answer" and "further", lines; "slots", the drawings. Empty if no
+// design is left.
 Json answer_body(const ExploreReport& report, const SolveDesign& solve);
 
-// What the script needs of the ladder: words of "first", "affordable" and "knee", or null;
-// "heading", what the affordable design is: "Fewest sheaths within 2 %"; "advised", the designs
+// Marks of the ladder for the script: words of "first", "affordable" and "knee", or null;
+// "heading", the kind of the affordable design: "Fewest sheaths within 2 %"; "advised", the designs
 // that plots mark.
+// "heading", what the affordable design is: "Fewest sheaths within 2 %"; "advised", the designs
+// that plots mark; "named", the words of the named designs.
 Json ladder_marks(const ExploreReport& report);
 
 struct AdvisedDesign {
@@ -25,7 +28,7 @@ struct AdvisedDesign {
 };
 std::vector<AdvisedDesign> advised_designs(const ExploreReport& report);
 
-// The designs that the answer names and then the other rungs, each once.
-std::vector<const Routing*> ladder_routings(const ExploreReport& report);
+// Returns the designs that the answer and the ladder name, the first one first, each once.
+std::vector<const ListedDesign*> named_designs(const ExploreReport& report);
 
 }  // namespace reeve::pages

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "pages/exploration/exploration_answer.hpp"
 #include "pages/page_words.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 
@@ -51,14 +52,6 @@ std::set<std::string> known_words(const ExploreReport& report) {
   return words;
 }
 
-// The rungs and the affordable design.
-std::vector<const ListedDesign*> of_the_ladder(const ExploreReport& report) {
-  std::vector<const ListedDesign*> designs;
-  for (const ListedDesign& rung : report.ladder.rungs) designs.push_back(&rung);
-  if (report.ladder.affordable) designs.push_back(&*report.ladder.affordable);
-  return designs;
-}
-
 Json same_as_column(const std::vector<PageDesign>& designs) {
   std::unordered_map<std::string_view, std::size_t> places(designs.size());
   for (std::size_t i = 0; i < designs.size(); ++i) places.emplace(designs[i].word, i);
@@ -75,7 +68,7 @@ std::vector<std::string_view> words_of_others(const ExploreReport& report) {
   for (const ReferenceStanding& reference : report.result.references) {
     words.push_back(reference.design.word);
   }
-  for (const ListedDesign* design : of_the_ladder(report)) {
+  for (const ListedDesign* design : named_designs(report)) {
     words.push_back(design->ranked.design.word);
   }
   for (const Design& design : report.result.sample) words.push_back(design.word);
@@ -93,7 +86,7 @@ PageDesign page_design(const ListedDesign& listed, DesignKind kind) {
 
 const char* design_kind_name(DesignKind kind) {
   constexpr std::array<const char*, kind_count> names{"listed", "on the front", "known routing",
-                                                      "random sample"};
+                                                      "random sample", "named, not listed"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -105,6 +98,8 @@ chart::Style design_style(DesignKind kind) {
       return {chart::Colour::orange, chart::Symbol::square, 4.5};
     case DesignKind::known:
       return {chart::Colour::green, chart::Symbol::triangle, 5};
+    case DesignKind::named:
+      return {chart::Colour::sky, chart::Symbol::cross, 5};
     case DesignKind::sample:
       break;
   }
@@ -150,13 +145,13 @@ std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t mo
                        reference.rank, reference.front, reference.design.values, std::nullopt,
                        report.reference_bands.empty() ? Bands{} : report.reference_bands[i]});
   }
-  for (const ListedDesign* design : of_the_ladder(report)) {
+  for (const ListedDesign* design : named_designs(report)) {
     const RankedDesign& ranked = design->ranked;
     if (!is_new(ranked.design.word)) continue;
-    designs.push_back({DesignKind::listed, ranked.design.word, design->name, ranked.rank,
+    designs.push_back({DesignKind::named, ranked.design.word, design->name, ranked.rank,
                        ranked.front, ranked.design.values, std::nullopt});
   }
-  // What is listed has a rank, even if there is no room for it here.
+  // A listed design has a rank, even if there is no room for it here.
   for (const Design& design : report.result.sample) {
     if (places.contains(design.word) || added.contains(design.word)) continue;
     designs.push_back({DesignKind::sample, design.word, "", 0, 0, design.values, std::nullopt});

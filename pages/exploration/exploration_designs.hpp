@@ -16,16 +16,16 @@
 
 namespace reeve::pages {
 
-// What a design is here for, as the scripts count it.
-enum class DesignKind : std::uint8_t { listed, front, known, sample };
-inline constexpr std::size_t kind_count = 4;
+// Role of a design on the page, in the numbering of the scripts.
+enum class DesignKind : std::uint8_t { listed, front, known, sample, named };
+inline constexpr std::size_t kind_count = 5;
 
-// "listed", "on the front", "known routing", "random sample"
+// "listed", "on the front", "known routing", "random sample", "named, not listed"
 const char* design_kind_name(DesignKind kind);
 
 // How charts mark designs, on every page: the front is an orange square wherever it is drawn.
 chart::Style design_style(DesignKind kind);
-// What a reader is advised to look at: the affordable design and the knee.
+// Style of the advised designs: the affordable design and the knee.
 chart::Style advised_style();
 
 struct PageDesign {
@@ -41,12 +41,12 @@ struct PageDesign {
   std::optional<double> constraints_met = std::nullopt;  // share of the draws
 };
 
-// Where some words stand among the listed designs, from 0; without those that do not.
+// Indices of words among the listed designs, from 0; without words that are not listed.
 using WordPlaces = std::unordered_map<std::string_view, std::size_t>;
 WordPlaces listed_places(const ExploreReport& report, const std::vector<std::string_view>& words);
 
-// Of the listed designs the first `most`, then the known routings and those of the ladder that are
-// not among these, then the random sample.
+// Returns the first `most` of the listed designs; then the known routings and the named designs,
+// if not among these; then the random sample.
 std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t most);
 
 // In columns, as assets/exploration_charts.js describes them: {"word", "name", "rank", "front",

@@ -60,7 +60,7 @@ class Lines {
 
 double three_decimals(double value) { return std::round(1000 * value) / 1000; }
 
-std::string placed_svg(const ShownRouting& report, const Places& places, std::size_t grasp,
+std::string placed_svg(const SolvedRouting& report, const Places& places, std::size_t grasp,
                        const std::string& ids) {
   const ShownGrasp& shown = report.grasps[grasp];
   const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;
@@ -69,7 +69,7 @@ std::string placed_svg(const ShownRouting& report, const Places& places, std::si
                        ids);
 }
 
-Json grasp_json(const ShownRouting& report, std::size_t grasp) {
+Json grasp_json(const SolvedRouting& report, std::size_t grasp) {
   const ShownGrasp& shown = report.grasps[grasp];
   Json json{{"held", to_text(shown.grasp)}, {"jams", shown.state.jams}};
   json["tensions"] = Json::array();
@@ -79,7 +79,7 @@ Json grasp_json(const ShownRouting& report, std::size_t grasp) {
   return json;
 }
 
-Json design_json(const ShownRouting& report, bool whole, Lines& lines) {
+Json design_json(const SolvedRouting& report, bool whole, Lines& lines) {
   Json json{{"segments", Json::array()}, {"strands", Json::array()}};
   for (std::size_t i = 0; i < report.network.segments.size(); ++i) {
     json["segments"].push_back(segment_name(report.network.segments[i]));
@@ -134,7 +134,7 @@ std::vector<Chunk> cut(const DetailedDesigns& designs) {
   return chunks;
 }
 
-// What {"words": …, "pack": …} takes there; nothing in a pack has to be escaped.
+// Returns the size of {"words": …, "pack": …} in the page; nothing in a pack has to be escaped.
 std::size_t size_in_page(const Json& chunk) {
   constexpr std::size_t around = 24;
   return around + chunk["words"].dump().size() + chunk["pack"].get_ref<const std::string&>().size();
@@ -164,7 +164,7 @@ DesignDetails design_details(const DetailedDesigns& designs, const SolveDesign& 
   return details;
 }
 
-std::string grasp_svg(const ShownRouting& report, std::size_t grasp, const std::string& ids) {
+std::string grasp_svg(const SolvedRouting& report, std::size_t grasp, const std::string& ids) {
   return placed_svg(report, places(report.network), grasp, ids);
 }
 

@@ -1,5 +1,5 @@
-// What the page of an exploration shows of a design when it is pointed at or selected: schematic,
-// tensions and contacts in each grasp, for as many designs as a number of bytes holds.
+// Details of a design that the page shows when it is pointed at or selected: schematic, tensions
+// and contacts in each grasp, for as many designs as a number of bytes holds.
 //
 // The schematics of one design in several grasps, and those of designs alike, have most of their
 // lines in common: a chunk of designs holds each line once, and is compressed.
@@ -17,7 +17,7 @@
 namespace reeve::pages {
 
 // A design, solved in each grasp of the exploration. Asked by many threads at once.
-using SolveDesign = std::function<ShownRouting(const Routing& routing)>;
+using SolveDesign = std::function<SolvedRouting(const Routing& routing)>;
 
 struct DetailedDesigns {
   std::vector<const Routing*> whole;  // with a schematic of each grasp
@@ -38,6 +38,6 @@ DesignDetails design_details(const DetailedDesigns& designs, const SolveDesign& 
                              std::size_t bytes, int threads);
 
 // Title and grasp above it; no legend.
-std::string grasp_svg(const ShownRouting& report, std::size_t grasp, const std::string& ids);
+std::string grasp_svg(const SolvedRouting& report, std::size_t grasp, const std::string& ids);
 
 }  // namespace reeve::pages

@@ -24,13 +24,15 @@ double share(double value, const chart::Extent& extent) {
   return extent.high > extent.low ? (value - extent.low) / (extent.high - extent.low) : 0.5;
 }
 
-// Kind, column and line; known routings have cells of their own.
+// Kind, column and line; known routings and named designs have cells of their own.
 using GridCell = std::tuple<int, double, double>;
 
 GridCell grid_cell(const PageDesign& design, std::size_t index, const Point& at,
                    const SpotGrid& grid) {
   const int kind = static_cast<int>(design.kind);
-  if (design.kind == DesignKind::known) return {kind, static_cast<double>(index), 0};
+  if (design.kind == DesignKind::known || design.kind == DesignKind::named) {
+    return {kind, static_cast<double>(index), 0};
+  }
   const double finer = design.kind == DesignKind::front ? 5 : 1;
   return {kind, std::round(at.x * grid.columns * finer), std::round(at.y * grid.lines * finer)};
 }
@@ -60,6 +62,41 @@ Point turned(Point at, const TwoObjectives& axes) {
   const auto up = [](Objective objective) { return row(objective).better == Better::higher; };
   return {up(axes[0]) ? at.x : -at.x, up(axes[1]) ? at.y : -at.y};
 }
+
+// Returns where designs lie, turned so that greater is better, each place once.
+std::vector<Point> distinct_places(const std::vector<PageDesign>& designs,
+                                   const TwoObjectives& axes) {
+  std::set<std::pair<double, double>> places;
+  for (const PageDesign& design : designs) {
+    const Point at = turned(spot(design, axes), axes);
+    if (has_place(at)) places.insert({at.x, at.y});
+  }
+  std::vector<Point> points;
+  for (const auto& [x, y] : places) points.push_back({x, y});
+  return points;
+}
+
+// How far a place lies from the box of the unbeaten ones, in shares of what all span, by the axis
+// along which it lies farther.
+class FrontDistance {
+ public:
+  explicit FrontDistance(const std::vector<Point>& places)
+      : worst_(reduced(places, [](double a, double b) { return std::min(a, b); })),
+        best_(reduced(places, [](double a, double b) { return std::max(a, b); })),
+        low_(reduced(unbeaten(places), [](double a, double b) { return std::min(a, b); })) {}
+
+  double operator()(Point at) const {
+    return std::max({0.0, share_below(low_.x - at.x, best_.x - worst_.x),
+                     share_below(low_.y - at.y, best_.y - worst_.y)});
+  }
+
+ private:
+  static double share_below(double below, double span) { return span > 0 ? below / span : 0; }
+
+  Point worst_;
+  Point best_;
+  Point low_;
+};
 
 std::string title(const PageDesign& design, const TwoObjectives& axes, std::size_t count) {
   std::string text = label(design) + "\n";
@@ -154,7 +191,7 @@ std::vector<chart::Layer> point_layers(const std::vector<PageDesign>& designs,
   return kind_layers(points, design_style);
 }
 
-// Of known routings and of the front, whose values one chooses by.
+// Returns the known routings and the front, among whose values a reader chooses.
 std::vector<BandedSpot> banded(const std::vector<PageDesign>& designs,
                                const std::vector<DrawnDesign>& drawn, const TwoObjectives& axes) {
   std::vector<BandedSpot> spots;
@@ -228,7 +265,7 @@ struct ParetoPanel {
   chart::Panel panel;
   std::size_t marks = 0;
   bool has_edge = false;
-  std::string bands;  // what the caption says of them
+  std::string bands;  // the caption's words on the bands
 };
 
 ParetoPanel pareto_panel(const std::vector<PageDesign>& designs,
@@ -267,26 +304,20 @@ ParetoPanel pareto_panel(const std::vector<PageDesign>& designs,
 
 std::vector<PageDesign> about_the_front(const std::vector<PageDesign>& designs,
                                         const TwoObjectives& axes) {
-  constexpr double tenth = 0.1;
-  constexpr std::size_t fewest = 5;  // places; fewer need no window of their own
-  std::vector<Point> places;
-  for (const PageDesign& design : designs) {
-    if (has_place(spot(design, axes))) places.push_back(turned(spot(design, axes), axes));
-  }
-  if (places.empty()) return {};
-  const Point least = reduced(places, [](double a, double b) { return std::min(a, b); });
-  const Point best = reduced(places, [](double a, double b) { return std::max(a, b); });
-  Point low{best.x - tenth * (best.x - least.x), best.y - tenth * (best.y - least.y)};
-  for (const Point& at : unbeaten(places)) low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+  constexpr std::size_t nearest = 8;  // places; fewer need no window of their own
+  const std::vector<Point> places = distinct_places(designs, axes);
+  if (places.size() <= nearest) return {};
+  const FrontDistance distance(places);
+  std::vector<double> distances;
+  for (const Point& at : places) distances.push_back(distance(at));
+  std::nth_element(distances.begin(), distances.begin() + nearest - 1, distances.end());
+  const double limit = distances[nearest - 1];
   std::vector<PageDesign> near;
-  std::set<std::pair<double, double>> distinct;
   for (const PageDesign& design : designs) {
     const Point at = turned(spot(design, axes), axes);
-    if (!has_place(at) || at.x < low.x || at.y < low.y) continue;
-    near.push_back(design);
-    distinct.insert({at.x, at.y});
+    if (has_place(at) && distance(at) <= limit) near.push_back(design);
   }
-  if (distinct.size() < fewest || near.size() == designs.size()) return {};
+  if (near.size() == designs.size()) return {};
   return near;
 }
 

@@ -33,8 +33,8 @@ struct DrawnDesign {
   std::size_t count = 1;  // designs that the mark stands for, itself included
 };
 
-// Of designs that lie in one cell of the figure only the first, in their order; those on the front
-// that differ by more than a dot, and the known routings, always.
+// Keeps the first of the designs that lie in one cell of the figure, in their order. Designs on the
+// front that differ by more than a dot, and the known routings, are always kept.
 std::vector<DrawnDesign> thinned(const std::vector<PageDesign>& designs, const TwoObjectives& axes,
                                  const SpotGrid& grid = {});
 
@@ -45,9 +45,8 @@ std::vector<Point> front_edge(const std::vector<Point>& front, const TwoObjectiv
 
 Point spot(const PageDesign& design, const TwoObjectives& axes);
 
-// Returns the designs with which the live plot opens. They lie in the best tenth of both spreads,
-// or no farther than the designs that none beats in both. Returns none if they lie on a few spots,
-// or are all.
+// Returns the designs with which the live plot opens: those on the nearest spots about the designs
+// that none beats in both. Returns none if there are only a few spots, or if they are all.
 std::vector<PageDesign> about_the_front(const std::vector<PageDesign>& designs,
                                         const TwoObjectives& axes);
 
@@ -57,7 +56,8 @@ LiveFigure pareto_figure(const std::vector<PageDesign>& designs,
                          const std::vector<Objective>& ranking,
                          const std::vector<AdvisedDesign>& advised = {});
 
-// Those that the ranking counts first; where it counts one, uniformity or efficiency joins it.
+// Returns the first two objectives of the ranking. If it has only one, uniformity or efficiency
+// joins it.
 TwoObjectives first_axes(const std::vector<Objective>& ranking);
 
 // Lines of the best and of the known routings over these objectives, and in grey how many of all
@@ -74,7 +74,7 @@ template <typename Marks>
 std::vector<chart::Layer> kind_layers(const std::array<Marks, kind_count>& marks,
                                       chart::Style (*style)(DesignKind)) {
   constexpr std::array order{DesignKind::sample, DesignKind::listed, DesignKind::front,
-                             DesignKind::known};
+                             DesignKind::known, DesignKind::named};
   std::vector<chart::Layer> layers;
   for (const DesignKind kind : order) {
     const Marks& some = marks[static_cast<std::size_t>(kind)];

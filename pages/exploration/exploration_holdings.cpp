@@ -17,18 +17,18 @@ namespace reeve::pages {
 namespace {
 
 constexpr std::size_t column_bytes = 2'000'000;
-constexpr double part_filled = 0.97;  // of them, where not all designs fit
+constexpr double part_filled = 0.97;  // filled share of these bytes, if not all designs fit
 constexpr std::size_t probed = 5'000;
 
-// Those of the ladder, known routings, then the best in the order of the ranking, which the front
-// begins.
+// Returns the named designs, the known routings, then the best in the order of the ranking, which
+// the front begins.
 std::vector<const Routing*> in_order_of_details(const ExploreReport& report, std::size_t best) {
   std::vector<const Routing*> routings;
   std::set<std::string> held;
   const auto add = [&](const Routing& routing) {
     if (held.insert(to_word(routing)).second) routings.push_back(&routing);
   };
-  for (const Routing* routing : ladder_routings(report)) add(*routing);
+  for (const ListedDesign* design : named_designs(report)) add(design->routing);
   for (const Routing& known : report.options.references) add(known);
   const std::vector<ListedDesign>& listed = listed_designs(report);
   for (std::size_t i = 0; i < std::min(best, listed.size()); ++i) add(listed[i].routing);
@@ -36,7 +36,7 @@ std::vector<const Routing*> in_order_of_details(const ExploreReport& report, std
 }
 
 std::size_t details_of(const ExplorationView& view) {
-  // Who stopped an exploration waits for its end.
+  // After a stop, the user waits for the end.
   constexpr std::size_t in_a_hurry = 20;
   const std::size_t drawn = view.report.result.partial ? in_a_hurry : usual_schematics;
   return view.details.value_or(drawn / view.report.options.grasps.size());
@@ -45,7 +45,9 @@ std::size_t details_of(const ExplorationView& view) {
 // How many there could be, however many are asked for.
 std::size_t designs_with_details(const ExploreReport& report) {
   std::set<std::string> others;
-  for (const Routing* routing : ladder_routings(report)) others.insert(to_word(*routing));
+  for (const ListedDesign* design : named_designs(report)) {
+    others.insert(design->ranked.design.word);
+  }
   for (const Routing& known : report.options.references) others.insert(to_word(known));
   const std::vector<std::string_view> words(others.begin(), others.end());
   return listed_designs(report).size() + words.size() - listed_places(report, words).size();
@@ -121,17 +123,15 @@ std::string held_text(const ExploreReport& report, std::size_t held) {
                             report.front.size() == 1 ? "is" : "are");
 }
 
-std::string sample_text(const ExploreReport& report, std::ptrdiff_t others) {
+std::string sample_text(std::ptrdiff_t others) {
   if (others == 0) return "";
-  return fmt::format(
-      " What they stand out from is shown by {} more: the rest of {} drawn at random from all.",
-      others, report.result.sample.size());
+  return fmt::format(" {} others, drawn at random, show the rest.", others);
 }
 
 Json standings_json(const ExploreReport& report) {
   Json json = Json::object();
-  for (const ListedDesign& rung : report.ladder.rungs) {
-    json[rung.ranked.design.word] = "On the ladder; its rank is beyond the list.";
+  for (const ListedDesign* design : named_designs(report)) {
+    json[design->ranked.design.word] = "Named in the answer; not among the listed designs.";
   }
   for (const ReferenceStanding& reference : report.result.references) {
     json[reference.design.word] = fmt::format("Known routing, not among the listed designs: {}.",
@@ -155,7 +155,7 @@ std::string details_text(const ExplorationView& view, const DesignDetails& detai
           : fmt::format(", and {} more their schematic in the first grasp", details.brief);
   return fmt::format(
       "{} of {} listed designs and known routings have schematics, tensions and contacts here{}: "
-      "those of the ladder and known routings first, then by rank. For the others the page gives "
+      "named designs and known routings first, then by rank. For the others the page gives "
       "the values and the command that shows the rest; {}.",
       details.designs, all, brief,
       full ? "there is no room for more of them, whatever --details says"

@@ -1,5 +1,5 @@
-// Which designs the page of an exploration holds, of which it has drawings, and what it says of the
-// others.
+// Selects the designs that the page of an exploration holds, and those that it has drawings of;
+// notes on the others.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ HeldDesigns held_designs(const ExploreReport& report);
 DetailedDesigns detailed_designs(const ExplorationView& view);
 
 std::string held_text(const ExploreReport& report, std::size_t held);
-std::string sample_text(const ExploreReport& report, std::ptrdiff_t others);
+std::string sample_text(std::ptrdiff_t others);
 std::string details_text(const ExplorationView& view, const DesignDetails& details);
 
 // {word: why it has no place in the list}: of known routings and of the ladder.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "core/finger_guides.hpp"
 #include "pages/exploration/exploration_words.hpp"
 #include "pages/page_words.hpp"
 #include "pages/shell/settings.hpp"
@@ -19,7 +20,8 @@ std::string spaced(const std::string& list) {
 
 std::string friction_text(const Hardware& hardware) {
   const auto law = [](const char* what, const ContactLaw& contact) {
-    return fmt::format("{} μ {:.4g} over {:.4g} rad", what, contact.mu, contact.whole_angle_rad());
+    return fmt::format("{} μ {:.4g} over {:.4g} deg", what, contact.mu,
+                       in_deg(contact.whole_angle_rad()));
   };
   std::string text =
       fmt::format("Friction: {}, {}, {}{}.", law("tubes", hardware.tube),
@@ -38,7 +40,7 @@ std::string ranked_text(const ExploreOptions& options) {
   return fmt::format(" and ranked over {}, front by front", titles(options.order.objectives));
 }
 
-// Of the parts, but those that are not allowed.
+// Describes the parts, without those that are not allowed.
 std::string tied_text(const PartSet& parts) {
   std::string text;
   if (parts.anchored) text += "; anchored tips";
@@ -46,6 +48,8 @@ std::string tied_text(const PartSet& parts) {
     text += fmt::format("; up to {}",
                         plural(static_cast<std::uint64_t>(parts.blocks), "floating block"));
   }
+  if (parts.motors > 1) text += fmt::format("; {} motors", parts.motors);
+  if (!parts.beside.empty()) text += "; beside ends: " + spaced(beside_text(parts));
   return text;
 }
 
@@ -74,7 +78,8 @@ std::vector<std::string> explored_words(const ExploreReport& report) {
 }
 
 std::vector<std::string> rejected_words(const ExploreReport& report) {
-  std::uint64_t sum = 0;
+  const std::uint64_t without_tensions = report.result.without_tensions.count;
+  std::uint64_t sum = without_tensions;
   for (const Rejection& rejection : report.result.rejected) sum += rejection.count;
   std::vector<std::string> text{fmt::format("{} of {} were rejected; {} are left and ranked.", sum,
                                             plural(report.result.generated, "generated routing"),
@@ -83,6 +88,9 @@ std::vector<std::string> rejected_words(const ExploreReport& report) {
     text.push_back(
         fmt::format("{}: {}{}.", rejection.count, rejection_text(rejection, report.options),
                     rejection.constraint ? " not met" : "; one of the tendons hangs on no motor"));
+  }
+  if (without_tensions > 0) {
+    text.push_back(fmt::format("{}: no tensions in one of the grasps.", without_tensions));
   }
   return text;
 }

@@ -42,7 +42,7 @@ Json ranking_json(const ExploreReport& report) {
   return list;
 }
 
-// What the page's script fills with data.
+// Returns the chart specifications that the page's script fills with data.
 Json specifications() {
   Json all = Json::object();
   for (const char* chart : {"pareto", "parallel", "tensions", "ranks"}) {
@@ -73,7 +73,8 @@ std::string schematic_id(std::string word) {
   return "schematic-" + word;
 }
 
-// What the schematics of this page can show; whether a strand is slack in one, their grasps say.
+// Returns the parts that the schematics of this page can show. Slack strands depend on the grasp,
+// so they are always included.
 DrawnParts drawn_parts(const ExplorationView& view) {
   DrawnParts parts;
   const auto add = [&](const Routing& routing) { parts |= reports::drawn_parts(expand(routing)); };
@@ -92,7 +93,7 @@ struct ExploredSchematic {
 
 // In the first grasp.
 std::vector<ExploredSchematic> schematics(const ExplorationView& view) {
-  std::vector<ShownRouting> routings;
+  std::vector<SolvedRouting> routings;
   std::vector<NamedRouting> named;
   for (const Routing& routing : drawn_routings(view.report)) {
     routings.push_back(view.solve(routing));
@@ -114,7 +115,7 @@ std::vector<ExploredSchematic> schematics(const ExplorationView& view) {
 // The first design where it jams, if it does.
 std::optional<ExploredSchematic> jammed_schematic(const ExploreReport& report) {
   if (!report.jammed_first) return std::nullopt;
-  const ShownRouting& first = *report.jammed_first;
+  const SolvedRouting& first = *report.jammed_first;
   const ShownGrasp& shown = first.grasps.front();
   const std::string id = "schematic-jammed";
   const std::string svg = grasp_svg(first, 0, id);
@@ -206,7 +207,7 @@ PageFiles exploration_page(const ExplorationView& view) {
                     [](const PageDesign& design) { return design.kind == DesignKind::sample; });
   body["has_sample"] = sampled > 0;
   body["title"] = title(report);
-  body["held_text"] = held_text(report, held.listed) + sample_text(report, sampled);
+  body["held_text"] = held_text(report, held.listed) + sample_text(sampled);
   body["pareto"] = live_figure_html(pareto);
   body["parallel"] = live_figure_html(parallel);
   const std::vector<Figure> swept =

@@ -23,13 +23,14 @@ inline constexpr std::size_t usual_first_schematics = 1000;
 
 struct ExplorationView {
   const ExploreReport& report;
-  std::string command;       // gives this exploration again
-  std::string show_options;  // what `reeve show` takes to judge alike: "" or " --hardware FILE"
+  std::string command;  // gives this exploration again
+  // options with which `reeve show` judges alike: "" or " --hardware FILE"
+  std::string show_options;
   SolveDesign solve;
-  // The number of the best designs with schematics, tensions and contacts, beside those of the
-  // ladder and the known routings. By default these are as many as `usual_schematics` show in all
-  // grasps. `usual_first_schematics` designs more have the schematic of the first grasp: as many as
-  // a list has by default.
+  // The number of the best designs with schematics, tensions and contacts, beside the
+  // named designs and the known routings. By default these are as many as `usual_schematics` show
+  // in all grasps. `usual_first_schematics` designs more have the schematic of the first grasp: as
+  // many as a list has by default.
   std::optional<std::size_t> details;
 };
 

@@ -44,14 +44,14 @@ std::string with_parts(const ListedDesign& design, const std::vector<Objective>&
   std::vector<std::string> texts;
   for (const auto& [objective, noun] : parts) {
     if (std::find(objectives.begin(), objectives.end(), objective) != objectives.end()) continue;
-    // That nothing floats at the hand is not worth a word.
+    // A hand without floating blocks is not mentioned.
     if (objective == Objective::blocks && get(design, objective) == 0) continue;
     texts.push_back(plural(static_cast<std::uint64_t>(get(design, objective)), noun));
   }
   return texts.empty() ? "" : ", with " + enumeration(texts);
 }
 
-// Which of the ranking's rules put the first before the second of its front.
+// Names the rule of the ranking that puts the first before the second of its front.
 std::string tie_text(const Order& order, const ListedDesign& first, const ListedDesign& second) {
   if (decisive_value(first.ranked.design.values, order) !=
       decisive_value(second.ranked.design.values, order)) {

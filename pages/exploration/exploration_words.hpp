@@ -1,4 +1,4 @@
-// What an exploration found, in plain words: only what its values support.
+// Findings of an exploration, in plain words: only those that its values support.
 #pragma once
 
 #include <cstdint>
@@ -24,10 +24,10 @@ ExplorationWords exploration_words(const ExploreReport& report);
 std::vector<std::string> explored_words(const ExploreReport& report);
 std::vector<std::string> rejected_words(const ExploreReport& report);
 
-// Who comes first among the listed designs if nothing but one objective counts.
+// The first of the listed designs if a single objective counts.
 struct SingleBest {
   const ObjectiveRow& objective;
-  const ListedDesign& design;  // of those that are equally good, the one with the best rank
+  const ListedDesign& design;  // among the equally good ones, the design with the best rank
   std::size_t equal = 0;       // others that are as good
 };
 

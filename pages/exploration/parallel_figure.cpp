@@ -14,7 +14,8 @@
 namespace reeve::pages {
 namespace {
 
-constexpr std::size_t parallel_lines = 30;  // of the best: more cannot be told apart
+// number of best designs: more lines cannot be told apart
+constexpr std::size_t parallel_lines = 30;
 constexpr std::size_t density_bins = 24;
 constexpr double parallel_height = 330;
 
@@ -107,7 +108,7 @@ chart::Panel parallel_panel(const std::vector<PageDesign>& designs,
   chart::Panel panel;
   for (const Objective objective : shown) {
     panel.x.categories.push_back(objective_title(row(objective)) +
-                                 (row(objective).better == Better::higher ? "" : " (turned)"));
+                                 (row(objective).better == Better::higher ? "" : " (inverted)"));
   }
   panel.y.hidden = true;
   panel.y.reaches = {-0.11, 1.11};

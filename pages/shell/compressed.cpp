@@ -31,7 +31,7 @@ std::string compressed(const std::string& text) {
   constexpr int level = 4;  // half the time of the usual 6, for an eighth more bytes
   uLongf size = compressBound(text.size());
   std::string bytes(size, '\0');
-  // Of the type that zlib wants; it neither writes to `text` nor beyond `size`.
+  // zlib requires this type; it neither writes to `text` nor beyond `size`.
   const auto* from = reinterpret_cast<const Bytef*>(text.data());
   auto* to = reinterpret_cast<Bytef*>(bytes.data());
   if (compress2(to, &size, from, text.size(), level) != Z_OK) throw std::bad_alloc();

@@ -25,7 +25,7 @@ std::set<std::string> listed(const std::filesystem::path& folder) {
     throw InputError({.where = file.string(), .expected = "the list of reeve's figures, a file"});
   }
   std::istringstream list(read_input(file, longest_list, "the list of reeve's figures"));
-  list.exceptions(std::ios::badbit);  // where there is no memory
+  list.exceptions(std::ios::badbit);  // throws if memory runs out
   for (std::string name; std::getline(list, name);) {
     const bool is_plain = std::filesystem::path(name).filename() == name;
     if (is_plain && (name.ends_with(".svg") || name.ends_with(".txt"))) names.insert(name);

@@ -12,7 +12,7 @@
 namespace reeve::pages {
 
 struct FigureFile {
-  std::string id;  // of no two the same, also where case does not count
+  std::string id;  // unique, even if case does not count
   std::string svg;
   std::string caption{};  // "": none is written
 };

@@ -21,7 +21,7 @@ std::vector<GlossaryTerm> ranking_terms() {
 
 std::vector<GlossaryTerm> ladder_terms() {
   return {{"gain", "improvement over the line above"},
-          {"kept", "what is left of the first design in the ranked objective that loses most"},
+          {"kept", "value relative to the first design, in the ranked objective that loses most"},
           {"knee",
            "where the ladder bends: the line that stands highest above the chord between its "
            "ends; a hint, since it depends on where the ladder ends"},

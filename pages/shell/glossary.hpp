@@ -14,11 +14,11 @@ struct GlossaryTerm {
   std::string meaning;
 };
 
-// What stands in every ranking besides its objectives.
+// Terms of every ranking besides its objectives.
 std::vector<GlossaryTerm> ranking_terms();
-// What stands in a ladder.
+// Terms of a ladder.
 std::vector<GlossaryTerm> ladder_terms();
-// Of a routing by itself.
+// Terms of a routing by itself.
 std::vector<GlossaryTerm> routing_terms();
 // The objectives by the names that pages give them, with their unit and which way is better.
 std::vector<GlossaryTerm> objective_terms(const std::vector<Objective>& objectives);

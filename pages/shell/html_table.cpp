@@ -9,7 +9,10 @@ namespace {
 constexpr std::size_t long_text = 40;
 
 Json cell(const std::string& text, const TableColumn& column) {
-  return {{"text", text}, {"left", column.is_text}, {"long", text.size() > long_text}};
+  return {{"text", text},
+          {"left", column.is_text},
+          {"dispensable", column.dispensable > 0},
+          {"long", text.size() > long_text}};
 }
 
 std::string heading(const TableColumn& column) {

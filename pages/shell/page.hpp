@@ -1,4 +1,4 @@
-// What all pages have in common: one file of HTML that needs no other and no network.
+// Common frame of all pages: one file of HTML that needs no other and no network.
 //
 // A page is readable without JavaScript: texts, tables, schematics and charts, which are figures.
 // With JavaScript they can be saved (assets/page.js), and those of an exploration come alive
@@ -39,8 +39,8 @@ struct Page {
   std::string title;
   std::string body;    // HTML
   std::string script;  // assets that the page runs after page.js, names separated by blanks
-  Json data;           // what that script finds as reeve.data
-  bool live = false;   // whether it draws charts: the page then bears Vega and Vega-Lite
+  Json data;           // data of the script, named reeve.data there
+  bool live = false;   // true if the script draws charts: the page then bears Vega and Vega-Lite
 };
 
 std::string page_html(const Page& page);

@@ -15,7 +15,7 @@
 namespace reeve::pages {
 namespace {
 
-// Two runs write into one folder one after the other, so that the later result is whole. Where the
+// Two runs write into one folder one after the other, so that the later result is whole. If the
 // file system knows no such lock, there is none.
 class FolderLock {
  public:

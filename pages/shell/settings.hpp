@@ -1,4 +1,4 @@
-// What a result depends on, as a page says it: the hardware, the effects of a model, the grasps,
+// Settings that a result depends on, in a page: the hardware, the effects of a model, the grasps,
 // and the command that gives the page again.
 #pragma once
 

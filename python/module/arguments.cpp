@@ -78,8 +78,10 @@ std::shared_ptr<const BoundHardware> hardware_from(const py::handle& value) {
   return value.cast<std::shared_ptr<BoundHardware>>();
 }
 
-Grasp grasp_from(const py::handle& held, int fingers, int motors) {
-  if (py::isinstance<py::str>(held)) return parse_grasp(held.cast<std::string>(), fingers, motors);
+Grasp grasp_from(const py::handle& held, int fingers, int motors, const MotorEnds& ends) {
+  if (py::isinstance<py::str>(held)) {
+    return parse_grasp(held.cast<std::string>(), fingers, motors, ends);
+  }
   std::string text;
   Grasp grasp;
   for (const int finger : fingers_from(held)) {

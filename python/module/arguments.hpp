@@ -1,4 +1,4 @@
-// What Python gives, as values; what cannot be one is a TypeError that names the argument.
+// Arguments from Python, as values; any other type is a TypeError that names the argument.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -25,7 +25,7 @@ std::string path_from(const py::handle& value, const std::string& name);
 std::shared_ptr<const BoundHardware> hardware_from(const py::handle& value);
 
 // Fingers as numbers, one number, or text as on the command line.
-Grasp grasp_from(const py::handle& held, int fingers, int motors = 1);
+Grasp grasp_from(const py::handle& held, int fingers, int motors = 1, const MotorEnds& ends = {});
 Direction direction_from(const py::handle& value);
 
 }  // namespace reeve::python

@@ -1,6 +1,5 @@
-// What the parts of the module share. Values cross as they are; what a subcommand does is asked for
-// as the command line would ask (cli/api.hpp), so that names, defaults and complaints
-// are the program's.
+// Common parts of the module. Values cross as they are. Subcommands are called as the command line
+// would call them (cli/api.hpp), so that names, defaults and complaints are the program's.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -17,7 +16,7 @@
 
 namespace reeve::python {
 
-// What stands above the floors of numerics/floors.hpp looks at all of them.
+// Code above the floors of numerics/floors.hpp looks at all of them.
 using namespace cli;
 
 namespace py = pybind11;
@@ -29,7 +28,7 @@ struct BoundRouting {
   Routing routing;
   Network network;
   std::string word;
-  std::string identity;  // of two routings that are one it is the same
+  std::string identity;  // equal for two words of the same routing
 };
 
 struct BoundHardware {

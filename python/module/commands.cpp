@@ -6,6 +6,7 @@
 #include "python/module/bindings.hpp"
 #include "python/module/design_columns.hpp"
 #include "python/module/watched.hpp"
+#include "reports/catalogue_report.hpp"
 #include "reports/check_report.hpp"
 #include "reports/compare_report.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
@@ -53,7 +54,7 @@ void bind_report(py::class_<Report>& report, std::string (*json)(const Report&),
   });
 }
 
-// What an exploration ends in, however it came about.
+// Binds the common results of an exploration, however it came about.
 template <typename Found>
 void bind_designs(py::class_<Found>& found, const ExploreReport& (*report)(const Found&)) {
   found.def("designs", [report](const Found& self) { return design_columns(report(self).top); })
@@ -159,6 +160,13 @@ void bind_quick_ones(py::module_& module) {
   py::class_<CheckReport> check(module, "CheckReport");
   bind_report<CheckReport>(check, &check_json, &check_sheet);
   module.def("check", &cli::api::check, py::call_guard<py::gil_scoped_release>());
+  using cli::api::ListedCatalogue;
+  py::class_<ListedCatalogue> catalogue(module, "ListedCatalogue");
+  bind_report<ListedCatalogue>(
+      catalogue, [](const ListedCatalogue& self) { return catalogue_json(self.mechanisms); },
+      [](const ListedCatalogue& self) { return catalogue_sheet(self.mechanisms); });
+  catalogue.def("save", &save<ListedCatalogue>);
+  module.def("catalogue", &cli::api::catalogue, py::call_guard<py::gil_scoped_release>());
   py::class_<CompareReport> comparison(module, "CompareReport");
   bind_report<CompareReport>(comparison, &compare_json, &compare_sheet);
   comparison.def("save", &save<CompareReport>)

@@ -11,7 +11,7 @@ namespace reeve::python {
 
 pybind11::dict design_columns(const std::vector<studies::ListedDesign>& designs);
 
-// Of the objectives, by column.
+// Returns the units of the objectives, by column.
 pybind11::dict objective_units();
 
 }  // namespace reeve::python

@@ -83,6 +83,9 @@ constexpr MappingTable tables[] = {
      "``{\"a-T1\": {\"mu\": 0.2}}``."},
     {"spools", "spools",
      "Spool of an end at a motor, over that of the carriage, by its segment: ``{\"b\": 0.5}``."},
+    {"tendons", "tendon",
+     "Spring in series and slack of single tendons, by number, with what they stand beside: "
+     "``{\"EA_N\": 2e4, 1: {\"stiffness_N_mm\": 5}}``."},
     {"hand", "hand", "Joints and force of every finger that has none of its own."},
     {"motor", "motor", "Spool, force and stroke of the motor."},
     {"uncertainty", "uncertainty", "How well the coefficients are known."},
@@ -159,7 +162,7 @@ py::dict table_values(const BoundHardware& self, const MappingTable& table) {
   return by_number;
 }
 
-// What differs from the paper's, as it could be given.
+// Returns the differences from the paper's hardware, as they could be given.
 std::string described(const BoundHardware& self) {
   Hardware own = self.file.hardware;
   Hardware paper;
@@ -198,7 +201,7 @@ Parameters
     coefficients; ``mu_tube`` is ``tube_mu``), ``tube_angle_rad``, …
     (wrap angles, rad), ``strand_mm``, ``motor_side_mm``, ``hand_mm`` (lengths,
     mm). What is not given is the paper's.
-fingers, contacts, spools, hand, motor, uncertainty : mapping
+fingers, contacts, spools, tendons, hand, motor, uncertainty : mapping
     The tables of a hardware file (catalog/hardware/example.toml), with its
     names: what is different at one finger, ``{2: {"tip_mu": 0.09}}``, or at
     one contact, ``{"a-T1": {"mu": 0.2}}``; joints and forces of a hand; its

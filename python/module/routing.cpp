@@ -67,7 +67,7 @@ const Catalogue& the_catalogue() {
 
 void require_contacts(const BoundHardware& hardware, const std::vector<Routing>& routings) {
   const Hardware& given = hardware.file.hardware;
-  if (given.contacts.empty() && given.spools.empty()) return;
+  if (given.contacts.empty() && given.spools.empty() && given.tendon.own.empty()) return;
   cli::require_contacts_to_match(given, routings);
 }
 

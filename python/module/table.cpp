@@ -12,7 +12,7 @@ namespace {
 
 using CoefficientArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-// Of fewer solves nobody gets tired, and a thread to watch them would take as long as they do.
+// Least number of solves to watch. Fewer take no longer than a thread that watches them.
 constexpr std::size_t worth_watching = 20000;
 
 struct CoefficientName {

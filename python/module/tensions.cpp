@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "core/graph.hpp"
+#include "core/motor_sides.hpp"
 #include "core/performance.hpp"
 #include "core/tension/tension.hpp"
 #include "python/module/arguments.hpp"
@@ -10,7 +11,7 @@
 namespace reeve::python {
 namespace {
 
-// Of one routing in one grasp.
+// Tensions of one routing in one grasp.
 struct BoundTensions {
   std::shared_ptr<const BoundRouting> routing;
   Grasp grasp;
@@ -40,7 +41,8 @@ BoundTensions solve(const std::shared_ptr<BoundRouting>& routing, const py::obje
   used->builder.apply(routing->network, mechanics);
   used->builder.require_in_range(routing->network, mechanics);
   BoundTensions result{routing,
-                       grasp_from(held, routing->network.fingers, carriage_count(routing->routing)),
+                       grasp_from(held, routing->network.fingers, carriage_count(routing->routing),
+                                  motor_ends(routing->network)),
                        direction_from(direction),
                        {}};
   solver.solve(routing->network, mechanics, result.grasp, result.direction, result.state);

@@ -10,7 +10,7 @@
 namespace reeve::python {
 
 // A mapping is a table, a sequence an array. `name` is that of the argument ("fingers") in a
-// TypeError, the key that of the file ("finger"). Where it would stand is not known.
+// TypeError, the key that of the file ("finger"). Its place in a file is not known.
 catalog::TomlNode toml_from(const pybind11::handle& value, const std::string& name,
                             const std::string& key);
 

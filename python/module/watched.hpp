@@ -34,7 +34,7 @@ class Watch {
 
   void stop() { stop_.store(true); }
 
-  // What was last reported, to a function of stage, done and total.
+  // Passes the last report to a function of stage, done and total.
   void tell(const py::object& listener) {
     std::string stage;
     search::Progress progress;

@@ -1,4 +1,4 @@
-"""Results about designs: counted, explored, ranked, sized, shown, checked."""
+"""Results about designs: counted, explored, ranked, sized, shown, checked, listed."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class Ranking(SavedResult):
     front : pandas.DataFrame
         Those that no other beats in every objective.
     ladder : pandas.DataFrame
-        Best designs with at most so many parts.
+        Best design for each number of parts.
     """
 
     @property
@@ -96,7 +96,7 @@ class Ranking(SavedResult):
         html = str(table.to_html(index=False))
         ladder = self.ladder
         if len(ladder):
-            html += "<p>Best designs with at most so many parts:</p>" + str(ladder.to_html(index=False))
+            html += "<p>Best design for each number of parts:</p>" + str(ladder.to_html(index=False))
         return html
 
 
@@ -227,6 +227,29 @@ class Shown(SavedResult):
 
     def _repr_svg_(self) -> str:
         return self.svg()
+
+
+class Catalogue(SavedResult):
+    """Known routings and mechanisms by name.
+
+    Attributes
+    ----------
+    mechanisms : pandas.DataFrame
+        One row for each, with its word, its source, and how many of its printed numbers agree.
+    """
+
+    @property
+    def mechanisms(self) -> "pandas.DataFrame":
+        import pandas
+
+        return pandas.DataFrame(self.summary["mechanisms"])
+
+    def _in_a_line(self) -> str:
+        return _counted(len(self.summary["mechanisms"]), "mechanism")
+
+    def _repr_html_(self) -> str:
+        shown = ["family", "name", "routing", "fingers", "title"]
+        return str(self.mechanisms[shown].to_html(index=False))
 
 
 class Check(Result):

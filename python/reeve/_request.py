@@ -29,7 +29,7 @@ class FileText:
     """A value that the program reads from a file, under the name of its argument."""
 
     def __init__(self, argument: str, ending: str, text: str, is_of_user: bool = True) -> None:
-        self.is_of_user = is_of_user  # who knows its lines
+        self.is_of_user = is_of_user  # the user knows its lines
         self.argument = argument
         self.name = argument + ending
         self.text = text
@@ -126,7 +126,7 @@ class Request:
         options: Mapping[str, Any] = {},
         last: Sequence[str] = (),
     ) -> None:
-        self._folder: Optional[Path] = None  # where its files were last
+        self._folder: Optional[Path] = None  # the folder of its files in the last run
         self._positionals = [
             _as_file(name, item) for name, items in positionals.items() for item in items
         ]

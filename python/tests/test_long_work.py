@@ -83,7 +83,7 @@ def test_a_bar_of_tqdm(monkeypatch):
     monkeypatch.setitem(sys.modules, "tqdm.auto", types.SimpleNamespace(tqdm=Bar))
     Bar.bars.clear()
     # Long enough to be shown on a machine that is idle.
-    reeve.explore(fingers=6, parts="all", progress=True)
+    reeve.explore(fingers=5, parts="all", progress=True)
     assert Bar.bars and all(bar.closed for bar in Bar.bars)
     assert all(0 <= bar.n <= bar.total for bar in Bar.bars if bar.total)
     assert any(bar.n for bar in Bar.bars)

@@ -132,7 +132,7 @@ def test_what_is_simulated_stays_so(simulated, diagnosis):
 
 def test_tables_in_a_notebook(diagnosis, sized):
     ranked = reeve.rank("TR1", "TR7")._repr_html_()
-    assert ranked.count("<table") == 2 and "Best designs with at most so many parts" in ranked
+    assert ranked.count("<table") == 2 and "Best design for each number of parts" in ranked
     assert ranked.split("<p>")[0].count("<tr>") == 2
     assert "sheath_friction" in diagnosis._repr_html_()
     assert "sheath_angle[1]" in sized._repr_html_()

@@ -73,6 +73,10 @@ def test_a_routing(saved):
           "show", "TR5", "--held", "1", "--held", "1,2", "--direction", "release")
 
 
+def test_the_catalogue(saved):
+    saved(reeve.catalogue(family="paper"), "catalogue", "--family", "paper")
+
+
 def test_a_diagnosis(saved, root):
     path = root / "catalog/measured/exo_glove_ii.csv"
     saved(reeve.diagnose(path, replicates=400, seed=2),

@@ -15,7 +15,7 @@
 namespace reeve::reports {
 namespace {
 
-// Of what the causes were fitted to, where nothing was held out.
+// Returns the gain on the readings that the causes were fitted to, if nothing was held out.
 std::string fitted_gain_text(const DiagnosisReport& report) {
   double before = 0, after = 0;
   for (const ComparedCell& cell : report.result.cells) {
@@ -27,6 +27,28 @@ std::string fitted_gain_text(const DiagnosisReport& report) {
       "Nothing was held out, so how much better the model forecasts is not known; on the readings "
       "that it was fitted to, residuals go from {} to {}.\n",
       newton(std::sqrt(before / cells)), newton(std::sqrt(after / cells)));
+}
+
+// Returns how residuals fall on the readings of a run that alone shows a cause. The model was
+// fitted to these readings.
+std::string only_run_lines(const DiagnosisReport& report) {
+  std::string text;
+  for (const NamedCause& cause : report.result.causes) {
+    if (cause.only_run.empty()) continue;
+    double before = 0, after = 0, cells = 0;
+    for (const ComparedCell& cell : report.result.cells) {
+      if (report.data.runs[report.data.readings[cell.cell.reading].run] != cause.only_run) continue;
+      before += std::pow(cell.cell.measured_N - cell.before_N, 2);
+      after += std::pow(cell.cell.measured_N - cell.after_N, 2);
+      ++cells;
+    }
+    text += fmt::format(
+        "Run {} alone shows {}, so a gain on runs that the model has not seen is not known; on run "
+        "{} residuals go from {} to {}.\n",
+        cause.only_run, cause.name, cause.only_run, newton(std::sqrt(before / cells)),
+        newton(std::sqrt(after / cells)));
+  }
+  return text;
 }
 
 // Causes that would gain nothing on the held-out runs even if they were right: none of these runs
@@ -42,22 +64,25 @@ std::vector<std::string> untested_causes(const DiagnosisResult& result) {
 
 std::string gain_line(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
-  if (!result.held_out) return fitted_gain_text(report);
+  const std::string of_one_run = only_run_lines(report);
+  if (!result.held_out) return of_one_run.empty() ? fitted_gain_text(report) : of_one_run;
   const std::vector<std::string> untested = untested_causes(result);
   std::string gain =
       !untested.empty() && untested.size() == result.causes.size()
           ? ""
           : fmt::format("Residuals {}.\n", gain_text(*result.held_out, result.held_out_runs));
-  if (untested.empty()) return gain;
-  return gain + fmt::format(
-                    "Held-out runs say nothing of {}: with and without it, what they should read "
-                    "is the same.\n",
-                    fmt::join(untested, ", "));
+  if (untested.empty()) return gain + of_one_run;
+  return gain + of_one_run +
+         fmt::format(
+             "Held-out runs say nothing of {}: with and without it, what they should read "
+             "is the same.\n",
+             fmt::join(untested, ", "));
 }
 
 std::string chance_sentence(const DiagnosisReport& report) {
-  return "chance alone would give such a gain " +
-         chance_text(report.result.p_value, report.settings.replicates) + ".\n";
+  const bool significant = report.result.p_value <= report.settings.alpha;
+  return fmt::format("The improvement is {}significant ({}).\n", significant ? "" : "not ",
+                     p_text(report.result.p_value, report.settings.replicates));
 }
 
 std::string weak_structure_text(const DiagnosisReport& report) {
@@ -68,13 +93,13 @@ std::string weak_structure_text(const DiagnosisReport& report) {
       part_of_residuals(report, structure_N(report, strongest)),
       p_text(report.result.structure_p_value, report.settings.replicates),
       report.result.structure_p_value < threshold
-          ? std::string("but readings scatter hardly more than any smooth law leaves")
+          ? std::string("but the residuals hardly exceed the scatter of the readings")
           : fmt::format("which does not reach this test's threshold of {:g}", threshold));
 }
 
 std::string rest_text(const DiagnosisReport& report) {
   if (weak_structure_remains(report)) return weak_structure_text(report);
-  return fmt::format("Nothing else is left to explain ({})",
+  return fmt::format("No further structure in the residuals ({})",
                      p_text(report.result.structure_p_value, report.settings.replicates));
 }
 
@@ -85,7 +110,11 @@ bool cannot_be_told_apart(const DiagnosisResult& result, const std::string& name
 
 std::string explains_text(const DiagnosisReport& report, const NamedCause& cause) {
   if (!(report.result.residual_before_N > 0)) return "";
-  return fmt::format(" It explains {}.", part_of_residuals(report, cause.explained.rms_N));
+  const double part_N = cause.explained.rms_N;
+  return fmt::format(" It explains {} rms of {} ({} of the mean square{}).",
+                     newton(std::max(0.0, part_N)), newton(report.result.residual_before_N),
+                     fine_percent_text(std::max(0.0, cause.explained.share)),
+                     is_negligible(report, part_N) ? ", negligible" : "");
 }
 
 // One line for each cause that stands alone, what explains most first; the table has all.
@@ -117,8 +146,7 @@ std::string indistinguishable_lines(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   std::string text;
   for (const std::vector<std::string>& names : result.indistinguishable) {
-    text += fmt::format("{} explains the data: which of them, the data cannot tell.\n",
-                        names_text(names));
+    text += fmt::format("Ambiguous: {} explains the data.\n", names_text(names));
     for (const NamedCause& cause : result.causes) {
       if (cause.name != names.front()) continue;
       text += fmt::format("If it is the first: {}.{}\n", cause_sentence(cause),
@@ -132,7 +160,8 @@ std::string separation_line(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   const std::vector<std::string>& names = result.indistinguishable.front();
   if (!result.separating_measurement) {
-    return fmt::format("No measurement that was looked at tells {} from {}.\n", names[0], names[1]);
+    return fmt::format("None of the candidate measurements separates {} from {}.\n", names[0],
+                       names[1]);
   }
   return fmt::format("To tell {} from {}, measure {}.\n", names[0], names[1],
                      measurement_text(*result.separating_measurement, report));
@@ -157,13 +186,12 @@ bool some_are_far(const DiagnosisResult& result) {
 std::string none_answer(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   const bool is_believed = beyond_belief_sentence(result).empty();
-  std::string text =
-      fmt::format("The model as it stands explains {} {}.\n",
-                  some_are_far(result) ? "the other runs" : "the data",
-                  drowns_in_noise(result) ? "only if readings scatter by more than can be believed"
-                  : !is_believed          ? "only if mountings differ by more than can be believed"
-                  : weak_structure_remains(report) ? "but for weak structure"
-                                                   : "as well as their noise allows");
+  std::string text = fmt::format(
+      "The nominal model explains {} {}.\n", some_are_far(result) ? "the other runs" : "the data",
+      drowns_in_noise(result)          ? "only if readings scatter by more than can be believed"
+      : !is_believed                   ? "only if mountings differ by more than can be believed"
+      : weak_structure_remains(report) ? "but for weak structure"
+                                       : "as well as their noise allows");
   if (some_are_far(result))
     text += "It is far from some readings of held-out runs: see the notes.\n";
   const std::vector<std::string> dropped = not_named_sentences(result);
@@ -182,9 +210,8 @@ std::string apart_lines(const DiagnosisReport& report) {
 }
 
 std::string cause_answer(const DiagnosisReport& report) {
-  const std::string chance = chance_sentence(report);
   return cause_lines(report) + gain_line(report) + rest_text(report) +
-         (weak_structure_remains(report) ? ".\n" + capitalised(chance) : "; " + chance) +
+         (weak_structure_remains(report) ? ".\n" : ". ") + chance_sentence(report) +
          leads_line(report) + apart_lines(report);
 }
 
@@ -235,7 +262,7 @@ std::string unexplained_answer(const DiagnosisReport& report) {
       size_of(report, left), p_text(left.p_value, report.settings.replicates));
   text += leads_line(report);
   if (result.causes.empty()) {
-    text += "No cause is named.\nThe model stays as it is.\n";
+    text += "No cause is named.\nThe nominal model is kept.\n";
     return text + rows_line(result);
   }
   text += rows_line(result);

@@ -64,7 +64,7 @@ Table share_error_table(const DiagnosisReport& report) {
   const bool left_out = errors.left_out.has_value();
   const bool extended = !report.result.model.effects.empty();
   Table table{{text_column("routing"), text_column("held"), number_column("readings"),
-               number_column("held out"), number_column("as it stands")},
+               number_column("held out"), number_column("nominal")},
               {}};
   if (extended) table.columns.push_back(number_column("extended"));
   if (left_out) table.columns.push_back(number_column("fitted without it"));
@@ -100,7 +100,7 @@ Table loss_table(const DiagnosisReport& report) {
   Table table{
       {text_column("routing"), text_column("held"), text_column("direction"), text_column("from"),
        text_column("to"), text_column("over"), number_column("readings", "", 2),
-       number_column("measured"), number_column("as it stands")},
+       number_column("measured"), number_column("nominal")},
       {}};
   if (extended) table.columns.push_back(number_column("extended"));
   table.columns.push_back(text_column("remark"));
@@ -136,7 +136,7 @@ std::vector<std::string> loss_sentences(const DiagnosisReport& report) {
     std::string text = fmt::format(
         "{}: {} of the tension is left, where {} has {}", stretch_text(report, loss),
         factor(loss.measured),
-        report.result.model.effects.empty() ? "the model as it stands" : "the extended model",
+        report.result.model.effects.empty() ? "the nominal model" : "the extended model",
         factor(loss.after));
     if (most > 0) {
       text += fmt::format(" and other stretches over {} read {} to {}", contacts_text(loss.over),
@@ -252,17 +252,17 @@ std::vector<std::string> published_sentences(const DiagnosisReport& report) {
   const NamedCause* sheath = find_cause(report, "sheath_friction");
   for (const PublishedModel& model : report.published) {
     sentences.push_back(fmt::format(
-        "The lines that are published ({}, mu = {:g}) are off by {} on average, the equations with "
-        "that coefficient by {}.",
+        "The published lines ({}, mu = {:g}) have a mean error of {}, the equations with that "
+        "coefficient one of {}.",
         model.name, model.mu, percent(model.error), percent(model.equations)));
     for (const PublishedLoss& other : model.losses) {
       const Loss& loss = report.result.losses[other.loss];
       if (other.sheaths_drawn == other.sheaths) continue;
       std::string text = fmt::format(
-          "{}, as ln of the ratio: the lines lose {:.2f} with {} of the {} sheaths that the "
-          "equations have, the equations {:.2f}, the readings {:.2f}",
-          stretch_text(report, loss), other.printed, other.sheaths_drawn, other.sheaths,
-          other.equations, loss.measured);
+          "{}, ln of the ratio: printed line {:.2f} ({}), equations {:.2f} ({}), measured {:.2f}",
+          stretch_text(report, loss), other.printed,
+          plural(static_cast<std::size_t>(other.sheaths_drawn), "sheath"), other.equations,
+          plural(static_cast<std::size_t>(other.sheaths), "sheath"), loss.measured);
       if (sheath != nullptr) {
         const double rig = sheath->parameters.front().value;
         text += fmt::format("; {} sheaths of mu = {} add up to {:.3f}, and {} of {:g} to {:g}",

@@ -1,4 +1,4 @@
-// Of a diagnosis: what differs between the groups of rows that somebody named.
+// Diagnosis report: differences between the named groups of rows.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ namespace reeve::reports {
 std::vector<std::string> group_sentences(const DiagnosisReport& report);
 // Each coefficient and cause, group by group; no rows without groups.
 Table group_table(const DiagnosisReport& report);
-// That readings scatter otherwise in each group; empty if they do not.
+// States that each group's readings scatter differently; empty if they do not.
 std::string group_scatter_sentence(const DiagnosisReport& report);
 
 Json by_group_json(const DiagnosisReport& report);

@@ -88,6 +88,7 @@ Json cause_json(const NamedCause& cause, const DiagnosisReport& report) {
            {{"rms", number(cause.explained.rms_N)}, {"share", number(cause.explained.share)}}},
           {"parameters", list_json(cause.parameters, parameter_json)},
           {"held_out", value_or_null(cause.held_out, held_out_json)},
+          {"only_run", text_or_null(cause.only_run)},
           {"p_value", cause.p_value},
           {"evidence", value_or_null(cause.evidence, number)},
           {"probability", value_or_null(cause.probability, number)},
@@ -157,9 +158,13 @@ Json noise_json(const DiagnosisReport& report) {
 
 Json diagnosis_settings_json(const DiagnosisReport& report) {
   const DiagnosisSettings& settings = report.settings;
-  return {{"data", report.data.file},         {"alpha", settings.alpha},
-          {"hold_out", settings.hold_out},    {"seed", settings.seed},
-          {"explore", report.with_generated}, {"hardware", to_json(report.hardware)}};
+  return {{"data", report.data.file},
+          {"alpha", settings.alpha},
+          {"hold_out", settings.hold_out},
+          {"seed", settings.seed},
+          {"explore", report.with_generated},
+          {"hardware", to_json(report.hardware)},
+          {"terms", list_json(settings.terms, effect_name)}};
 }
 
 void add_findings(Json& json, const DiagnosisReport& report) {

@@ -60,9 +60,7 @@ std::string known_sentence(const DiagnosisResult& result) {
   const std::string by =
       scatter.given ? "by --mounting-scatter"
                     : fmt::format("by {} mounted again{}", scatter.mounted_again,
-                                  scatter.is_bounded ? ", which alone would say more than is known "
-                                                       "of any rig"
-                                                     : "");
+                                  scatter.is_bounded ? ", which alone exceeds published rigs" : "");
   const std::string mountings =
       fmt::format("Mountings differ by {} ({})", fmt::join(known, ", "), by);
   if (result.noise.source == NoiseSource::known) return mountings + ".";
@@ -77,10 +75,9 @@ std::string assumed_sentence(const MountingScatter& scatter) {
   }
   if (assumed.empty()) return "";
   return fmt::format(
-      "How far mountings differ these readings cannot tell ({}): {} are assumed; give "
-      "--mounting-scatter if you know better.",
-      scatter.mounted_again == 0 ? "no routing is mounted twice" : "too few are mounted again",
-      fmt::join(assumed, ", "));
+      "Mounting scatter is assumed: {} ({}). Set it with --mounting-scatter.",
+      fmt::join(assumed, ", "),
+      scatter.mounted_again == 0 ? "no routing is mounted twice" : "too few repeated mountings");
 }
 
 Json coefficient_json(const CalibratedCoefficient& coefficient) {
@@ -113,7 +110,7 @@ std::string row_sentence(const DiagnosisResult& result) {
   if (!result.row_scatter) return "";
   const double off = result.row_scatter->relative;
   const std::string together = fmt::format(
-      "Readings of one row go together, as if the motor tension were off by {} from row to row: ",
+      "Residuals of a row are correlated, as if the motor tension were off by {} from row to row: ",
       fine_percent_text(off));
   if (off > most_of_a_motor) {
     return together +
@@ -189,11 +186,12 @@ std::vector<std::string> not_named_sentences(const DiagnosisResult& result) {
 std::string beside_hardware(const CalibratedCoefficient& coefficient) {
   const EstimatedParameter& parameter = coefficient.parameter;
   const std::string hardware = estimate(parameter, *parameter.nominal);
-  if (coefficient.differs) return fmt::format("differs from the hardware ({})", hardware);
+  if (coefficient.differs) return fmt::format("differs from the nominal value ({})", hardware);
   const bool inside = parameter.low <= *parameter.nominal && *parameter.nominal <= parameter.high;
-  if (inside) return fmt::format("agrees with the hardware ({})", hardware);
-  return fmt::format("perhaps differs from the hardware ({}), too little to name it (p = {:.2g})",
-                     hardware, coefficient.p_value);
+  if (inside) return fmt::format("agrees with the nominal value ({})", hardware);
+  return fmt::format(
+      "perhaps differs from the nominal value ({}), too little to name it (p = {:.2g})", hardware,
+      coefficient.p_value);
 }
 
 std::vector<std::string> coefficient_sentences(const DiagnosisResult& result) {
@@ -204,7 +202,7 @@ std::vector<std::string> coefficient_sentences(const DiagnosisResult& result) {
         "{}: {} = {} ({} to {}{}), {}", coefficient.name, parameter.name,
         estimate(parameter, parameter.value), estimate(parameter, parameter.low),
         estimate(parameter, parameter.high),
-        parameter.at_bound ? ", a bound of what is searched" : "", beside_hardware(coefficient)));
+        parameter.at_bound ? ", at the limit of the search" : "", beside_hardware(coefficient)));
   }
   return sentences;
 }

@@ -14,7 +14,7 @@
 namespace reeve::reports {
 namespace {
 
-// Of lists that can be long; the JSON has all.
+// Limits of lists that can be long; the JSON has all.
 constexpr std::size_t most_rows = 8;
 constexpr std::size_t most_findings = 6;
 
@@ -28,7 +28,7 @@ std::string noise_text(const Noise& noise) {
                        : noise.source == NoiseSource::smoothing ? "what no smooth law explains"
                        : noise.source == NoiseSource::repeats_and_smoothing
                            ? "repeated readings and what no smooth law explains"
-                           : "what the model leaves";
+                           : "the residuals";
   return fmt::format("Noise: {} of the reading and {}, by {} ({:.0f} degrees of freedom)",
                      fine_percent_text(noise.relative), newton(noise.absolute_N), source,
                      noise.degrees_of_freedom);
@@ -37,10 +37,8 @@ std::string noise_text(const Noise& noise) {
 Section data_section(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   Section section{"Data", std::nullopt, {}};
-  section.lines.push_back(
-      {fmt::format("{}: {} in {}, {} of them held out; {} dropped", report.data.file,
-                   plural(result.rows, "reading"), plural(result.runs, "run"), result.held_out_runs,
-                   plural(result.dropped_duplicates, "repeated reading"))});
+  section.lines.push_back({fmt::format("{}: {}; {} dropped", report.data.file, used_text(report),
+                                       plural(result.dropped_duplicates, "repeated reading"))});
   if (report.data.simulated) section.lines.push_back(simulated_line());
   section.lines.push_back({noise_text(result.noise)});
   add_sentences(section, scatter_sentences(result));
@@ -99,7 +97,7 @@ Section causes_section(const DiagnosisReport& report) {
   }
   const std::size_t all = table.rows.size();
   if (all > most_findings) table.rows.resize(most_findings);
-  Section section{"Causes, what explains most of the residuals first", table, {}};
+  Section section{"Causes, by the share of the residuals that they explain", table, {}};
   if (all > most_findings) section.lines.push_back({fmt::format("… {} more", all - most_findings)});
   add_sentences(section, influence_sentences(report));
   return section;
@@ -117,7 +115,7 @@ void add_gain(Table& table, const std::string& name, const HeldOut& held_out) {
 Section gains_section(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   if (!result.held_out) return {};
-  Table table{{text_column("with"), number_column("rms before"), number_column("rms after"),
+  Table table{{text_column("with"), number_column("rms without it"), number_column("rms with it"),
                number_column("reduction"), number_column("95 % interval"),
                number_column("log-likelihood gain", "", 1), number_column("95 % interval", "", 2),
                number_column("expected gain", "", 3)},
@@ -126,8 +124,8 @@ Section gains_section(const DiagnosisReport& report) {
     if (cause.held_out) add_gain(table, cause.name, *cause.held_out);
   }
   if (result.causes.size() > 1) add_gain(table, "all together", *result.held_out);
-  return {fmt::format("Gain on {} that the fit has not seen, each cause over all others",
-                      plural(result.held_out_runs, "run")),
+  return {fmt::format("Gain on {}, each cause over all others",
+                      plural(result.held_out_runs, "held-out run")),
           table,
           {}};
 }
@@ -144,7 +142,7 @@ Section weighed_section(const DiagnosisReport& report) {
                held_out ? gain_number(held_out->log_likelihood_gain) : "-",
                held_out ? newton(held_out->rms_after_N) : "-"});
   }
-  Section section{"Weighed: gain in log-likelihood over the model as it stands", table, {}};
+  Section section{"Compared models: gain in log-likelihood over the nominal model", table, {}};
   if (weighed.size() > most_rows) {
     section.lines.push_back({fmt::format("… {} more", weighed.size() - most_rows)});
   }
@@ -153,8 +151,7 @@ Section weighed_section(const DiagnosisReport& report) {
 
 Section indistinguishable_section(const DiagnosisReport& report) {
   Section section{
-      fmt::format("Cannot be told apart (less than {:.2g} nats of evidence between them)",
-                  least_evidence),
+      fmt::format("Ambiguous (less than {:.2g} nats of evidence between them)", least_evidence),
       std::nullopt,
       {}};
   for (const std::vector<std::string>& names : report.result.indistinguishable) {
@@ -176,7 +173,7 @@ Section left_section(const DiagnosisReport& report) {
                part_of_residuals(report, structure_N(report, finding)), fixed(finding.statistic, 1),
                p_number(finding.p_value, report.settings.replicates)});
   }
-  return {fmt::format("What is left, the strongest of {} ({} for all together)",
+  return {fmt::format("Structure in the residuals: the strongest of {} ({} for all together)",
                       plural(result.structure.size(), "pattern"),
                       p_text(result.structure_p_value, report.settings.replicates)),
           table,
@@ -207,8 +204,7 @@ Section losses_section(const DiagnosisReport& report) {
   if (table.rows.empty() || !says_more_than_the_model(report)) return {};
   const std::size_t all = table.rows.size();
   if (all > most_losses) table.rows.resize(most_losses);
-  Section section{
-      "What is left of the tension from sensor to sensor, stretch by stretch", table, {}};
+  Section section{"Ratio of the tensions from sensor to sensor", table, {}};
   if (all > most_losses) section.lines.push_back({fmt::format("… {} more", all - most_losses)});
   add_sentences(section, loss_sentences(report));
   return section;

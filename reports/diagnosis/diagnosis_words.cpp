@@ -23,7 +23,7 @@ std::string grasp_text(Grasp grasp) {
   return fmt::format("finger{} {} held", held.size() == 1 ? "" : "s", fmt::join(held, ", "));
 }
 
-// Where there is a choice of grasps.
+// Returns "" if there is no choice of grasps.
 std::string held_text(const Measurement& at) {
   const bool has_grasps = finger_count(at.routing.routing) > 1 || at.grasp.held != 0;
   return has_grasps ? " with " + grasp_text(at.grasp) : "";
@@ -39,7 +39,7 @@ std::string nominal_text(const EstimatedParameter& parameter, const Effect& effe
   if (!parameter.nominal) return "";
   // Other causes add to what the hardware says.
   const bool in_hardware = effect.cause->reach() == Reach::hardware && *parameter.nominal != 0;
-  return fmt::format("; {} {}", in_hardware ? "the hardware says" : "without it",
+  return fmt::format("; {} {}", in_hardware ? "nominal" : "without it",
                      estimate(parameter, *parameter.nominal));
 }
 
@@ -52,7 +52,7 @@ std::string literature_text(const EstimatedParameter& parameter) {
 }
 
 std::string parameter_text(const EstimatedParameter& parameter, const Effect& effect) {
-  return fmt::format("{} = {}{} ({} to {}{}{})", parameter.name,
+  return fmt::format("{} = {}{} (95 % CI {} to {}{}{})", parameter.name,
                      estimate(parameter, parameter.value), unit_text(parameter),
                      estimate(parameter, parameter.low), estimate(parameter, parameter.high),
                      nominal_text(parameter, effect), literature_text(parameter));
@@ -131,15 +131,19 @@ std::string size_with_interval(const NamedCause& cause) {
   return text;
 }
 
-std::string part_of_residuals(const DiagnosisReport& report, double part_N) {
-  constexpr double matters = 0.002;  // of the readings
+bool is_negligible(const DiagnosisReport& report, double part_N) {
+  constexpr double matters = 0.002;  // share of the readings
   double square = 0;
   for (const ComparedCell& cell : report.result.cells) square += std::pow(cell.cell.measured_N, 2);
   const double reading_N =
       std::sqrt(square / std::max(1.0, static_cast<double>(report.result.cells.size())));
+  return part_N < matters * reading_N;
+}
+
+std::string part_of_residuals(const DiagnosisReport& report, double part_N) {
   return fmt::format("{} of {}{}", newton(std::max(0.0, part_N)),
                      newton(report.result.residual_before_N),
-                     part_N < matters * reading_N ? ", of no practical matter" : "");
+                     is_negligible(report, part_N) ? ", negligible" : "");
 }
 
 double structure_N(const DiagnosisReport& report, const StructureFinding& finding) {
@@ -204,6 +208,16 @@ bool weak_structure_remains(const DiagnosisReport& report) {
          report.result.structure_p_value <= report.settings.alpha;
 }
 
+std::string used_text(const DiagnosisReport& report) {
+  const DiagnosisResult& result = report.result;
+  std::string used =
+      fmt::format("{} in {}", plural(result.rows, "reading"), plural(result.runs, "run"));
+  if (result.held_out_runs == 0) return used;
+  return used + (report.settings.hold_out > 0
+                     ? fmt::format(", {} of them held out", result.held_out_runs)
+                     : ", each run forecast once by a model fitted without it");
+}
+
 std::string newton(double value) {
   constexpr double has_exponent = 99.5;  // in two digits
   constexpr double readable = 1e6;
@@ -219,14 +233,6 @@ std::string fine_percent_text(double share) {
 
 std::string percent_text(double share) {
   return fmt::format("{:.0f} %", std::round(100 * share) + 0.0);  // never -0
-}
-
-std::string chance_text(double p_value, std::size_t replicates) {
-  // Two digits; of nearly all they would be written with an exponent.
-  const std::string percent =
-      p_value < 0.995 ? fmt::format("{:.2g}", 100 * p_value) : std::string("100");
-  return fmt::format("in {} {} % of data sets",
-                     at_the_least(p_value, replicates) ? "fewer than" : "about", percent);
 }
 
 std::string p_text(double p_value, std::size_t replicates) {

@@ -20,11 +20,11 @@ std::string joined_causes(const std::vector<std::string>& names);
 // To as many places as the interval is known.
 std::string estimate(const EstimatedParameter& parameter, double value);
 
-// "tube_friction, mu = 0.090 (0.087 to 0.093; the hardware says 0.180, literature 0.05 to 0.2)"; of
+// "tube_friction, mu = 0.090 (0.087 to 0.093; nominal 0.180, literature 0.05 to 0.2)"; of
 // a law "phi' = phi (1 + 0.0083 (humidity_pct - 50)), 95 % interval of a 0.0079 to 0.0087".
 std::string cause_text(const NamedCause& cause);
 
-// Of a cause of the library, or a law's own; and in which unit its i-th parameter is.
+// Meaning of a cause of the library, or of a law; and the unit of its i-th parameter.
 std::string cause_meaning(const NamedCause& cause);
 std::string parameter_unit(const NamedCause& cause, std::size_t i);
 
@@ -35,8 +35,11 @@ std::string cause_sentence(const NamedCause& cause);
 // "tube_friction, mu = 0.090 (0.087 to 0.093)"
 std::string size_with_interval(const NamedCause& cause);
 
-// "3.1 N of 3.1 N": what a part of the residuals is of those of the nominal model; with ", of no
-// practical matter" where readings would hardly show it.
+// True if readings of this size would hardly show it.
+bool is_negligible(const DiagnosisReport& report, double part_N);
+
+// "3.1 N of 3.1 N": what a part of the residuals is of those of the nominal model; with ",
+// negligible" where it is.
 std::string part_of_residuals(const DiagnosisReport& report, double part_N);
 // The part that the strongest structure explains beyond chance, N.
 double structure_N(const DiagnosisReport& report, const StructureFinding& finding);
@@ -52,20 +55,21 @@ std::string gain_text(const HeldOut& held_out, std::size_t runs);
 // "TR3 (F-1-P-2-F) with finger 1 held, pulled with 20 N at the motor"
 std::string measurement_text(const PlannedMeasurement& planned, const DiagnosisReport& report);
 
-// What residuals follow, without the grasps where there are none to choose from: the direction is
-// what is left of "grasp" on a bench.
+// Names the pattern that residuals follow. If there are no grasps to choose from, as on a bench,
+// "grasp" becomes the direction.
 std::string pattern_text(const DiagnosisReport& report, const std::string& about);
 
 // Structure that chance gives less often than alpha says, and too often for the test of what is
 // left.
 bool weak_structure_remains(const DiagnosisReport& report);
 
+// "180 readings in 6 runs, each run forecast once by a model fitted without it"
+std::string used_text(const DiagnosisReport& report);
+
 std::string newton(double value);
 std::string percent_text(double share);  // "72 %"
 // "0.83 %", "2.1 %", "190 %"
 std::string fine_percent_text(double share);
-// "in fewer than 0.25 % of data sets", where the replicates show no smaller chance
-std::string chance_text(double p_value, std::size_t replicates);
 std::string p_text(double p_value, std::size_t replicates);    // "p = 0.4", "p < 0.0025"
 std::string p_number(double p_value, std::size_t replicates);  // "0.4", "< 0.0025"
 

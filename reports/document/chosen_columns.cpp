@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/nearest_name.hpp"
 #include "core/text.hpp"
 
 namespace reeve::reports {
@@ -20,7 +21,8 @@ std::size_t column_of(const Table& table, const std::string& wanted) {
   for (const TableColumn& column : table.columns) there.push_back(key(column));
   throw InputError({.what = "columns",
                     .value = wanted,
-                    .expected = fmt::format("any of {}", fmt::join(there, ", "))});
+                    .expected = fmt::format("any of {}{}", fmt::join(there, ", "),
+                                            did_you_mean(wanted, there))});
 }
 
 bool holds(const std::vector<std::string>& names, const std::string& name) {
@@ -30,10 +32,11 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 [[noreturn]] void fail(const std::string& text, const std::string& name,
                        const std::vector<std::string>& known,
                        const std::vector<MissingColumns>& missing) {
-  InputFault fault{.where = fmt::format("columns '{}'", text),
-                   .what = fmt::format("there is no column '{}'", name),
-                   .expected = fmt::format("any of {}", fmt::join(known, ", ")),
-                   .form = InputForm::unknown};
+  InputFault fault{
+      .where = fmt::format("columns '{}'", text),
+      .what = fmt::format("there is no column '{}'", name),
+      .expected = fmt::format("any of {}{}", fmt::join(known, ", "), did_you_mean(name, known)),
+      .form = InputForm::unknown};
   for (const MissingColumns& others : missing) {
     if (!holds(others.names, name)) continue;
     fault.expected = others.with + ", with which there is one";

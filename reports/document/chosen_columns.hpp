@@ -10,11 +10,11 @@ namespace reeve::reports {
 
 struct ListColumns {
   std::vector<std::string> chosen;  // by their keys, in this order; none: the usual ones
-  bool apart = false;               // of the usual ones mean and worst each have their own
-  std::string cost_unit = "";       // of the prices
+  bool apart = false;               // among the usual columns, mean and worst each have their own
+  std::string cost_unit = "";       // unit of the prices
 };
 
-// What a column is chosen by.
+// Returns the key by which a column is chosen.
 std::string key(const TableColumn& column);
 
 // Throws InputError that says what there is, of a key that the table has not, or that is there

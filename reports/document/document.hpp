@@ -16,8 +16,8 @@ struct TableColumn {
   std::string heading;
   std::string unit;          // "" if there is none, or if each cell bears its own
   bool is_text = false;      // to the left; numbers go to the right
-  unsigned dispensable = 0;  // where room is short the greatest is left out first; 0: never
-  std::string key = "";      // by which it is chosen; "": by its heading
+  unsigned dispensable = 0;  // if room is short, the greatest is left out first; 0: never
+  std::string key = "";      // the key by which it is chosen; "": its heading
 };
 
 TableColumn text_column(const std::string& heading);
@@ -65,7 +65,8 @@ struct Document {
   void add(Section section);
 };
 
-// Where text is shown. By default no window limits it and nothing can show colour: a file, a pipe.
+// Capabilities of the output. By default no window limits it and nothing can show colour: a file, a
+// pipe.
 struct TextStyle {
   std::size_t width = 0;  // in columns; 0: any
   bool colour = false;
@@ -81,7 +82,8 @@ void add_lines(std::vector<DocumentLine>& lines, const std::string& text, bool c
 
 std::string percent(double share);  // "72.1 %"; "-" if it is none
 
-// Of draws: as percent(), but that some or most do not read as none or all: "under 0.1 %".
+// Returns a share of draws as percent() does, but some or most never read as none or all: "under
+// 0.1 %".
 std::string share_text(double share);
 
 }  // namespace reeve::reports

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double column_gap_pt = 6;   // twice \tabcolsep
 constexpr double least_text_pt = 34;  // a text is not wrapped into less
-constexpr double spare_pt = 0.5;      // of a column of wrapped text: what rounding takes
+constexpr double spare_pt = 0.5;      // rounding allowance of a column of wrapped text
 
 // Digits behind the decimal mark; nothing of what is no plain number.
 std::optional<std::size_t> decimals(const std::string& cell) {
@@ -87,7 +87,7 @@ struct LatexColumn {
   double least = 0;                // likewise, what is wrapped wrapped
   double heading = 0;              // the widest word of the heading
   bool wrapped = false;
-  double width = 0;  // of the cells, of a column that is wrapped
+  double width = 0;  // width of the cells in a wrapped column
 
   double total() const { return std::max(wrapped ? width : natural, heading); }
 };
@@ -244,7 +244,7 @@ std::string tabular(std::vector<LatexColumn> columns, double width_pt) {
            names.empty() ? "not even the first" : fmt::format("{}", fmt::join(names, ",")))});
 }
 
-// Of those that may be left out, the one to leave out next.
+// Returns the dispensable column to leave out next.
 std::vector<LatexColumn>::iterator least_wanted(std::vector<LatexColumn>& columns) {
   return std::max_element(columns.begin(), columns.end(),
                           [](const LatexColumn& a, const LatexColumn& b) {
@@ -304,8 +304,8 @@ std::string latex(const Table& table, double width_pt) {
   return fitted(columns, width_pt);
 }
 
-// Of a table whose columns were chosen. Throws InputError that says how much they take, and which
-// of them fit.
+// Checks a table whose columns were chosen. Throws InputError that says how much they take, and
+// which of them fit.
 void require_chosen_fit(const Table& table, double width_pt) {
   const std::vector<LatexColumn> columns = latex_columns(table);
   if (!can_fit(columns, width_pt)) fail_to_fit(columns, width_pt);

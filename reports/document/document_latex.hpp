@@ -4,9 +4,9 @@
 // filled up with phantoms.
 //
 // With a width, tables are in \footnotesize and no wider: headings go over several lines, and texts
-// are wrapped, routings at their dashes. Of what is still too wide columns that nobody chose are
-// left out, as in a narrow window, or columns stand in a further table below, with the first again.
-// What can be known to be too wide before the work is done is refused then (require_fits).
+// are wrapped, routings at their dashes. If a table is still too wide, columns that nobody chose
+// are left out, as in a narrow window, or columns stand in a further table below, with the first
+// again. A table that is known beforehand to be too wide is refused before the work (require_fits).
 #pragma once
 
 #include <string>
@@ -17,12 +17,12 @@ namespace reeve::reports {
 
 std::string latex(const Document& document, double width_pt = 0);  // 0: any
 
-// What the widest of the tables takes if everything is done to make it narrow: below, it stands
-// out.
+// Returns the width of the widest table if everything is done to make it narrow. Below this width,
+// it stands out.
 double least_width_pt(const Document& document);
 
-// Of a document with the shortest cells that it may come to have. Throws InputError that says what
-// it takes.
+// Checks a document with the shortest cells that it may come to have. Throws InputError that says
+// how much width it takes.
 void require_fits(const Document& document, double width_pt);
 
 // Text as LaTeX typesets it, with any engine.

@@ -6,7 +6,7 @@
 namespace reeve::reports {
 namespace {
 
-// What is indented, or an entry of a list, goes on below its own beginning.
+// Wraps a line. Indented text, or an entry of a list, continues below its own beginning.
 std::string line_text(const std::string& line, Ink ink, const TextStyle& look) {
   if (look.width == 0) return inked(line, ink, look) + '\n';
   std::size_t indent = std::min(line.find_first_not_of(' '), line.size());

@@ -6,7 +6,7 @@
 namespace reeve::reports {
 namespace {
 
-// Of cmr10, pt: a … z, A … Z; digits and what is not told here are 5 and 7.78 wide.
+// Widths in cmr10, pt: a … z, A … Z; digits and characters not listed here are 5 and 7.78 wide.
 constexpr std::array small_letters{5.00, 5.56, 4.44, 5.56, 4.44, 3.06, 5.00, 5.56, 2.78,
                                    3.06, 5.28, 2.78, 8.33, 5.56, 5.00, 5.56, 5.28, 3.92,
                                    3.94, 3.89, 5.56, 5.28, 7.22, 5.28, 5.28, 4.44};

@@ -9,7 +9,7 @@
 
 namespace reeve::reports {
 
-// Of a text as it stands before it is escaped, in pt of 1/72.27 in.
+// Returns the width of a text before it is escaped, in pt of 1/72.27 in.
 double latex_width_pt(const std::string& text);
 
 inline constexpr double pt_in_mm = 72.27 / 25.4;

@@ -50,14 +50,14 @@ std::size_t most_dispensable(const Table& table) {
                                 : static_cast<std::size_t>(most - table.columns.begin());
 }
 
-// Of a text, where shares and ratios have no unit.
+// Returns a column's heading in text, in which shares and ratios have no unit.
 std::string text_heading(const TableColumn& column) {
   TableColumn shown = column;
   shown.unit = shown_unit(column.unit);
   return heading_text(shown);
 }
 
-// Of each column, heading and cells.
+// Returns the greatest width of each column's heading and cells.
 std::vector<std::size_t> natural_widths(const Table& table) {
   std::vector<std::size_t> widths;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {

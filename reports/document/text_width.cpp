@@ -16,7 +16,7 @@ std::size_t bytes_of(const std::string& text, std::size_t width) {
   return at;
 }
 
-// Where a word that is too long for a line breaks.
+// Returns the position at which a word that is too long for a line breaks.
 std::size_t break_of(const std::string& word, std::size_t width) {
   const std::size_t most = bytes_of(word, width);
   const std::size_t joint = word.substr(0, most).find_last_of("-+_");

@@ -10,6 +10,7 @@
 #include "reports/exploration/decision_words.hpp"
 #include "reports/output/csv_field.hpp"
 #include "reports/shown_value.hpp"
+#include "search/uncertainty/coefficient_box.hpp"
 #include "search/uncertainty/sweep.hpp"
 
 namespace reeve::reports {
@@ -25,7 +26,8 @@ std::string short_name(const ListedDesign& design) {
   return design.name.empty() ? design.ranked.design.word : design.name;
 }
 
-// Which of those shown holds in nearly all draws: the first need not.
+// Names the first shown design that meets the constraints in nearly all draws, unless it is the
+// best.
 std::string surest_text(const std::vector<ListedDesign>& shown) {
   constexpr double nearly_all = 0.95;
   const auto sure = std::find_if(shown.begin(), shown.end(), [](const ListedDesign& design) {
@@ -110,11 +112,23 @@ Table band_table(const std::vector<ListedDesign>& designs,
   return table;
 }
 
+// "tubes mu 0.05 to 0.2, sheaths mu 0.05 to 0.2, bearings mu ± 50 %, bends ± 20 %, each contact
+// ± 4 % (bearings 10 %)"
+std::string drawn_text(const UncertaintyOptions& options) {
+  const UncertaintyRanges& ranges = options.ranges;
+  const CoefficientBox box = coefficient_box(options.nominal.hardware, ranges);
+  const ContactScatter& scatter = options.nominal.hardware.scatter;
+  return fmt::format(
+      "tubes mu {:.4g} to {:.4g}, sheaths mu {:.4g} to {:.4g}, bearings mu ± {:.4g} %, bends "
+      "± {:.4g} %, each contact ± {:.4g} % (bearings {:.4g} %)",
+      box[0].low, box[0].high, box[1].low, box[1].high, 100 * ranges.bearing_mu_relative,
+      100 * ranges.sheath_angle_relative, 100 * scatter.relative, 100 * scatter.bearing_relative);
+}
+
 Section band_section(const std::vector<ListedDesign>& shown, const Order& order,
                      const UncertaintyOptions& options) {
   if (shown.empty() || !shown.front().distribution) return {};
-  return {fmt::format("Median (5–95 %) over {} draws of the coefficients from their ranges",
-                      options.draws),
+  return {fmt::format("Median (5–95 %) over {} draws: {}", options.draws, drawn_text(options)),
           band_table(shown, swept_objectives(order)), met_lines(shown)};
 }
 
@@ -130,16 +144,15 @@ std::vector<DocumentLine> shared_first_lines(const std::vector<ListedDesign>& de
   }
   const bool drawn = !designs.empty() && designs.front().distribution.has_value();
   if (names.size() < 2 || (only_equivalent && !drawn)) return {};
-  std::string text = "First place is shared by " + names.front();
+  std::string text = "Equal in all ranked objectives: " + names.front();
   const std::size_t named = std::min(names.size(), sharers_named);
   const std::size_t more = names.size() - named;
   for (std::size_t i = 1; i < named; ++i) {
     text += (i + 1 == names.size() ? " and " : ", ") + names[i];
   }
   if (more > 0) text += fmt::format(" and {} more", more);
-  text += ", which are equal in all that is ranked";
   if (drawn) {
-    text += fmt::format("; it is shared in {} of the draws",
+    text += fmt::format("; they share the first place in {} of the draws",
                         share_text(designs.front().distribution->first_shared));
   }
   return {{text}};

@@ -28,8 +28,8 @@ Table band_table(const std::vector<ListedDesign>& designs,
 Section band_section(const std::vector<ListedDesign>& shown, const Order& order,
                      const UncertaintyOptions& options);
 
-// Who shares the first place, if that says more than that bearings change nothing: without draws
-// only where other designs do.
+// Lists the designs that share the first place, if that says more than that bearings change
+// nothing. Without draws it lists them only if other designs do.
 std::vector<DocumentLine> shared_first_lines(const std::vector<ListedDesign>& designs);
 
 // ",uniformity_mean_median,uniformity_mean_p5,uniformity_mean_p95,…" and ",0.98,0.97,0.99,…".

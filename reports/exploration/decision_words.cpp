@@ -74,7 +74,7 @@ bool stays_open(const ObjectiveValues& values) {
   return has_hand(values) && value(values, Objective::closure) < 1;
 }
 
-// What it has of the measure, and the ranked objectives as changes against the first.
+// Returns its value of the measure, and the ranked objectives as changes against the first.
 std::string values_text(const ListedLadder& ladder, const ObjectiveValues& values) {
   const Objective by = ladder.ladder.options.by;
   std::string text = measure_text(ladder, value(values, by));
@@ -91,8 +91,8 @@ std::string values_text(const ListedLadder& ladder, const ObjectiveValues& value
 }
 
 std::string first_text(const ListedDesign& first, const ListedLadder& ladder) {
-  return fmt::format("First: {}{}: {}", design_name(first), equivalent_text(first),
-                     values_text(ladder, first.ranked.design.values));
+  return fmt::format("Best: {}: {}{}", design_name(first),
+                     values_text(ladder, first.ranked.design.values), equivalent_text(first));
 }
 
 // Says in which grasps the first design jams, and how good the best design is that never does.
@@ -113,7 +113,7 @@ std::string affordable_text(const ListedLadder& listed) {
   if (!listed.affordable) {
     return fmt::format("No design {} of it has {}", within, words.less);
   }
-  return fmt::format("With {} {} of it: {}: {}", words.fewest, within,
+  return fmt::format("{} of it: {}: {}", advised_text(ladder.options),
                      design_name(*listed.affordable),
                      values_text(listed, ladder.affordable->values));
 }
@@ -133,11 +133,11 @@ std::string choice_text(const char* kind, const ListedDesign& design, const List
   const ObjectiveValues& values = design.ranked.design.values;
   const std::string chosen =
       is_within(values, ladder)
-          ? fmt::format("{} {} of the first", words_of(ladder.options.by).fewest,
+          ? fmt::format("{} {} of the best", words_of(ladder.options.by).fewest,
                         within_text(ladder.options))
           : "best";
   const std::string jams = design.smallest_jams.empty() ? "" : ", jams in some grasps";
-  return fmt::format("{} floating pulleys, {}: {}: {}{}; {}", kind, chosen, design_name(design),
+  return fmt::format("{} floating blocks, {}: {}: {}{}; {}", kind, chosen, design_name(design),
                      values_text(listed, values), jams, wearer_text(design.routing));
 }
 
@@ -209,7 +209,7 @@ std::string within_text(const LadderOptions& options) {
 
 std::string ladder_title(const Ladder& ladder) {
   const ObjectiveRow& about = row(ladder.options.by);
-  return fmt::format("Best design with at most so {} {}", about.is_count() ? "many" : "much",
+  return fmt::format("Best design {} {}", about.is_count() ? "for each number of" : "up to each",
                      words_of(ladder.options.by).plural);
 }
 
@@ -221,8 +221,7 @@ std::string advised_text(const LadderOptions& options) {
 
 std::string equivalent_text(const ListedDesign& design) {
   if (design.equivalent.empty()) return "";
-  return fmt::format(", and {} more with other bearings, which change nothing",
-                     design.equivalent.size());
+  return fmt::format(" ({})", plural(design.equivalent.size(), "equivalent variant"));
 }
 
 std::vector<DocumentLine> answer_lines(const std::vector<ListedDesign>& designs,
@@ -237,9 +236,9 @@ std::vector<DocumentLine> answer_lines(const std::vector<ListedDesign>& designs,
   }
   if (ladder.ladder.knee) {
     const Rung& rung = ladder.ladder.rungs[*ladder.ladder.knee];
-    lines.push_back(
-        {fmt::format("Knee of the ladder: {} at {}", design_name(ladder.rungs[*ladder.ladder.knee]),
-                     measure_text(ladder, rung.at_most))});
+    lines.push_back({fmt::format("Knee of the trade-off: {}, {}",
+                                 design_name(ladder.rungs[*ladder.ladder.knee]),
+                                 measure_text(ladder, rung.at_most))});
   }
   if (stays_open(designs.front().ranked.design.values)) {
     lines.push_back({"Hands that close all the way: --constraint 'closure>=1'"});
@@ -251,14 +250,15 @@ std::vector<DocumentLine> equivalent_lines(const std::vector<ListedDesign>& show
   std::vector<DocumentLine> lines;
   for (const ListedDesign& design : shown) {
     if (design.equivalent.empty()) continue;
-    std::string text = fmt::format("Rank {} is also", design.ranked.rank);
+    std::string text =
+        fmt::format("Equivalent variants of rank {}, with other bearings", design.ranked.rank);
     for (std::size_t i = 0; i < std::min(named_at_most, design.equivalent.size()); ++i) {
-      text += (i == 0 ? " " : ", ") + design.equivalent[i];
+      text += (i == 0 ? ": " : ", ") + design.equivalent[i];
     }
     if (design.equivalent.size() > named_at_most) {
       text += fmt::format(" and {} more", design.equivalent.size() - named_at_most);
     }
-    lines.push_back({text + ": other bearings, which change nothing here"});
+    lines.push_back({std::move(text)});
   }
   return lines;
 }
@@ -280,6 +280,9 @@ std::vector<DocumentLine> infeasible_lines(const ExploreOptions& options,
       together.push_back(
           {fmt::format("Of the designs that meet all but {}, {}", constraint.text, others), true});
     }
+  }
+  if (result.evaluated == 0 && result.without_tensions.count > 0 && !result.partial) {
+    return {{"No design has tensions in all grasps", true}};
   }
   if (result.infeasible.empty() && result.evaluated > 0 && result.best.empty() && !result.partial) {
     return {{"No design of this shard meets the constraints", true}};

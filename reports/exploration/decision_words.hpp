@@ -38,10 +38,10 @@ std::string equivalent_text(const ListedDesign& design);
 std::vector<DocumentLine> answer_lines(const std::vector<ListedDesign>& designs,
                                        const ListedLadder& ladder);
 
-// Which listed designs one line stands for, of the lines that are shown.
+// Lists the equivalent designs for which each of the shown lines stands.
 std::vector<DocumentLine> equivalent_lines(const std::vector<ListedDesign>& shown);
 
-// Of an exploration whose constraints no design meets together; otherwise nothing.
+// Explains an exploration whose constraints no design meets together; nothing otherwise.
 std::vector<DocumentLine> infeasible_lines(const ExploreOptions& options,
                                            const ExploreResult& result);
 

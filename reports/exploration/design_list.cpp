@@ -27,8 +27,8 @@
 namespace reeve::reports {
 namespace {
 
-// What drawn coefficients say of listed designs, column by column: named as in the CSV, to be
-// chosen for a table.
+// A column of drawn results of listed designs. It has the same name in the CSV, and can be chosen
+// for a table.
 struct DrawnColumn {
   TableColumn column;                                    // its key is the name
   std::function<std::string(const ListedDesign&)> cell;  // "-" where nothing was drawn
@@ -92,7 +92,7 @@ bool with_distributions(const std::vector<ListedDesign>& designs) {
                      [](const ListedDesign& design) { return design.distribution.has_value(); });
 }
 
-// Of an objective in a column, with as many decimals as the column's cells take.
+// An objective in a column, with as many decimals as the column's cells take.
 struct ColumnRow {
   const ObjectiveRow* row;
   int decimals;

@@ -22,7 +22,7 @@ Table design_table(const std::vector<ListedDesign>& designs, std::vector<Objecti
 // The same columns, which head costs with the unit of the prices.
 ListColumns priced(ListColumns wanted, const std::optional<PartPrices>& prices);
 
-// What can be chosen, of designs that were judged so.
+// Properties of a list of designs that determine which columns can be chosen.
 struct ListedWith {
   bool prices = false;
   bool hand = false;
@@ -30,7 +30,7 @@ struct ListedWith {
   bool constraints = false;
 };
 std::vector<std::string> list_column_names(const ListedWith& with);
-// What could be, had more been asked for.
+// Columns that a request for more would add.
 std::vector<MissingColumns> missing_columns(const ListedWith& with);
 
 // The shortest that a line of such a list may be: for room that is asked about before there are

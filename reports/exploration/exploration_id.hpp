@@ -1,4 +1,4 @@
-// Which exploration a file is of: a hash of what was asked and of the program that answered.
+// Id of an exploration: a hash of the request and of the program that answered.
 //
 // It is of the settings as JSON, the version, the known routings with their names, and how far it
 // came if it was stopped.
@@ -12,7 +12,7 @@ namespace reeve::reports {
 
 std::string exploration_id(const ExploreReport& report);
 
-// That of the whole exploration that this one is a shard of, or of itself.
+// Returns the id of the whole exploration that this one is a shard of, or its own.
 std::string whole_exploration_id(const ExploreReport& report);
 
 }  // namespace reeve::reports

@@ -47,6 +47,9 @@ std::string counts_text(const ExploreReport& report) {
                             ? "fail " + report.options.constraints[*rejection.constraint].text
                             : "not actuated");
   }
+  if (result.without_tensions.count > 0) {
+    text += fmt::format(" {} without tensions,", result.without_tensions.count);
+  }
   return text + fmt::format(" {} ranked", ranked_designs(report));
 }
 
@@ -67,9 +70,10 @@ std::vector<Objective> objectives_to_show(const ExploreReport& report) {
 }
 
 Section front_section(const ExploreReport& report, const ListColumns& columns) {
-  std::string text = fmt::format("Pareto front over {}: {}, {} distinct in these",
+  std::string text = fmt::format("Pareto front over {}: {} with {} of values",
                                  objective_names(report.options.order.objectives),
-                                 plural(report.front.size(), "design"), distinct_on_front(report));
+                                 plural(report.front.size(), "design"),
+                                 plural(distinct_on_front(report), "distinct set"));
   if (report.result.front_equals_left_out > 0) {
     text +=
         fmt::format(", and {} more that equal one of them", report.result.front_equals_left_out);
@@ -78,7 +82,7 @@ Section front_section(const ExploreReport& report, const ListColumns& columns) {
       std::count_if(report.front.begin(), report.front.end(),
                     [](const ListedDesign& design) { return design.same_as.empty(); }));
   if (lines < report.front.size()) {
-    text += fmt::format(", {} but for bearings that change nothing", lines);
+    text += fmt::format("; {} equivalent to others", report.front.size() - lines);
   }
   if (lines > shown_at_most) text += fmt::format("; the first {}", shown_at_most);
   return {
@@ -95,7 +99,7 @@ std::string rank_cell(const ExploreReport& report, const ReferenceStanding& refe
 
 // Why it has no rank; "" if it has.
 std::string why_unranked(const ExploreReport& report, const ReferenceStanding& reference) {
-  if (!reference.generated) return "not among them";
+  if (!reference.generated) return "not in this set of parts";
   if (!reference.rejected_by) return "";
   return "fails " + report.options.constraints[*reference.rejected_by].text;
 }
@@ -110,21 +114,21 @@ Section known_section(const ExploreReport& report) {
   const bool some_unranked = std::any_of(
       references.begin(), references.end(),
       [&](const ReferenceStanding& known) { return !why_unranked(report, known).empty(); });
-  if (some_unranked) table.columns.push_back(text_column("no rank since"));
+  if (some_unranked) table.columns.push_back(text_column("reason"));
   for (std::size_t i = 0; i < references.size(); ++i) {
     const ReferenceStanding& reference = references[i];
     const std::string why = why_unranked(report, reference);
     std::vector<std::string> cells{
         report.reference_names[i], reference.design.word, rank_cell(report, reference),
         reference.front > 0 ? std::to_string(reference.front) : "-",
-        // Of what is out, it says nothing by how many others it would be beaten.
+        // If a design is rejected, the number of others that beat it says nothing.
         reference.rejected_by ? "-" : std::to_string(reference.dominated_by),
         fixed(value(reference.design.values, Objective::uniformity_mean)),
         fixed(value(reference.design.values, Objective::efficiency_mean))};
     if (some_unranked) cells.push_back(why);
     table.add(std::move(cells));
   }
-  return {"Where the known routings stand", table, {}};
+  return {"Known routings", table, {}};
 }
 
 std::vector<DocumentLine> opening_lines(const ExploreReport& report) {
@@ -141,17 +145,21 @@ std::vector<DocumentLine> opening_lines(const ExploreReport& report) {
   if (report.options.order.by_score) {
     lines.push_back({order_text(report.options.order, report.options.score)});
   }
-  lines.push_back({"Uniformity and efficiency are given as mean/worst over the grasps " +
-                   to_text(report.options.grasps)});
+  lines.push_back(
+      {"Uniformity and efficiency are given as mean/worst over the grasps (held fingers) " +
+       to_text(report.options.grasps)});
   return lines;
 }
 
 Section answer_section(const ExploreReport& report) {
   std::vector<DocumentLine> lines = target_lines(report.target);
+  const bool has_target = !lines.empty();
   for (const DocumentLine& line : infeasible_lines(report.options, report.result)) {
     lines.push_back(line);
   }
-  for (const DocumentLine& line : answer_lines(report.top, report.ladder)) lines.push_back(line);
+  const std::vector<DocumentLine> best = answer_lines(report.top, report.ladder);
+  if (has_target && !best.empty()) lines.push_back({"Apart from the target:"});
+  lines.insert(lines.end(), best.begin(), best.end());
   const MotorParts& motor = report.options.model.hardware.motor;
   for (const DocumentLine& line : motor_lines(report.motor, motor)) lines.push_back(line);
   for (const DocumentLine& line : robust_lines(report.robust_first)) {
@@ -211,7 +219,7 @@ Document explore_document(const ExploreReport& report, const ListColumns& wanted
     document.add(best);
     return document;
   }
-  // What constraints leave nothing of, the answer says.
+  // If the constraints leave no design, the answer section says so.
   document.add(target_section(report.target));
   if (!top.empty()) {
     document.add(front_section(report, columns));
@@ -235,12 +243,23 @@ std::vector<std::string> notes(const ExploreReport& report) {
                           treats_fingers_alike(options.model, options.generator.fingers);
   std::vector<std::string> notes = model_notes(options.model, options.generator.fingers);
   if (options.left_out) notes.insert(notes.begin(), left_out_text(*options.left_out));
+  if (const std::uint64_t count = report.result.without_tensions.count; count > 0) {
+    notes.push_back(fmt::format("{} left out for want of tensions in a grasp, such as {}",
+                                plural(count, "design"), report.result.why_without_tensions));
+  }
   if (report.uncertainty) {
     for (std::string& note : range_notes(hardware, report.uncertainty->ranges)) {
       notes.push_back(std::move(note));
     }
   }
-  if (equivalent || options.generator.identity == FingerIdentity::distinct) return notes;
+  if (options.generator.identity == FingerIdentity::distinct) return notes;
+  if (!treats_motors_alike(options.grasps)) {
+    notes.insert(notes.begin(),
+                 "the grasps tell the motors apart, but routings were listed for identical motors: "
+                 "each was evaluated with the motor numbers of its word only; --distinct-fingers "
+                 "evaluates all");
+  }
+  if (equivalent) return notes;
   notes.insert(
       notes.begin(),
       "the grasps, the hardware or a law tell the fingers apart, but routings were listed for "
@@ -306,6 +325,9 @@ std::string explore_summary_json(const ExploreReport& report) {
   json["rejected"] = Json::object();
   for (const Rejection& rejection : result.rejected) {
     json["rejected"][rejection_text(rejection, report.options)] = rejection.count;
+  }
+  if (result.without_tensions.count > 0) {
+    json["rejected"]["no tensions"] = result.without_tensions.count;
   }
   json["evaluated"] = result.evaluated;
   json["pruned"] = result.pruned;

@@ -1,4 +1,4 @@
-// What `explore` leaves behind: a table for the terminal, JSON for everything else.
+// Output of `explore`: a table for the terminal, JSON for everything else.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@
 
 namespace reeve::reports {
 
-// Where columns are chosen, of the tables that of the best alone.
+// If columns are chosen, the only table is that of the best designs.
 Document explore_document(const ExploreReport& report, const ListColumns& columns = {});
 std::string explore_summary_json(const ExploreReport& report);
-// What was asked, as in the summary.
+// Returns the settings of the request, as in the summary.
 Json explore_settings(const ExploreReport& report);
-// What the user should know of how the ranking came about; usually nothing.
+// Returns notes on how the ranking came about; usually none.
 std::vector<std::string> notes(const ExploreReport& report);
 
-// Those evaluated that no constraint rejects.
+// Number of evaluated designs that no constraint rejects.
 std::uint64_t ranked_designs(const ExploreReport& report);
 
 // "not actuated", "constraint sheaths<=2".

@@ -1,4 +1,4 @@
-// Whether the files in a folder are those of one exploration that was written to its end.
+// Checks if the files in a folder are those of one exploration that was written to its end.
 //
 // summary.json is the last file of its batch (files.hpp), and each file says of which exploration
 // it is (stamp.hpp). So what a kill, a full disk or a copy leaves half done is known.

@@ -37,11 +37,11 @@ std::string marks(const ListedLadder& ladder, std::size_t i) {
   const auto add = [&](const std::string& mark) { text += (text.empty() ? "" : ", ") + mark; };
   if (all.knee == i) add("knee");
   if (all.affordable && all.affordable->word == word) add(within_text(all.options));
-  if (all.first.word == word) add("first");
+  if (all.first.word == word) add("best");
   return text;
 }
 
-// Of the ladder's first column.
+// Returns the decimals of the ladder's first column.
 int by_decimals(const Ladder& ladder) {
   int decimals = row(ladder.options.by).decimals;
   for (const Rung& rung : ladder.rungs) {

@@ -1,4 +1,4 @@
-// What more parts buy, as a table, as CSV and as JSON.
+// Trade-off table of designs against parts, as a table, as CSV and as JSON.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace reeve::reports {
 
-// Of two rungs with the shortest cells: for room that is asked about before there are designs.
+// Returns a ladder of two rungs with the shortest cells, to check the room before there are
+// designs.
 ListedLadder shortest_ladder(const ListedDesign& line, const Order& order,
                              const LadderOptions& options);
 

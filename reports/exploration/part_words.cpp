@@ -33,13 +33,15 @@ std::string parts_text(const PartSet& parts) {
                                  spaced_list(joins_text(parts)), spaced_list(ends_text(parts)));
   if (parts.anchored) text += "; anchored tips";
   if (parts.blocks > 0) text += "; up to " + blocks_text(parts.blocks);
+  if (parts.motors > 1) text += fmt::format("; {} motors", parts.motors);
+  if (!parts.beside.empty()) text += "; beside ends " + spaced_list(beside_text(parts));
   return text;
 }
 
 std::string routings_text(const GeneratorOptions& generator) {
-  return fmt::format("{}; {}; fingers {}", parts_text(generator.parts),
+  return fmt::format("{}; {}; {} fingers", parts_text(generator.parts),
                      generator.one_tendon ? "one tendon" : "any number of tendons",
-                     generator.identity == FingerIdentity::identical ? "alike" : "told apart");
+                     generator.identity == FingerIdentity::identical ? "identical" : "distinct");
 }
 
 std::string left_out_text(const LeftOutParts& left_out) {
@@ -55,11 +57,14 @@ std::string left_out_text(const LeftOutParts& left_out) {
 }
 
 Json parts_json(const PartSet& parts) {
-  return {{"tips", tips_text(parts)},
-          {"joins", joins_text(parts)},
-          {"ends", ends_text(parts)},
-          {"anchored", parts.anchored},
-          {"blocks", parts.blocks}};
+  Json json{{"tips", tips_text(parts)},
+            {"joins", joins_text(parts)},
+            {"ends", ends_text(parts)},
+            {"anchored", parts.anchored},
+            {"blocks", parts.blocks}};
+  if (parts.motors > 1) json["motors"] = parts.motors;
+  if (!parts.beside.empty()) json["beside_ends"] = beside_text(parts);
+  return json;
 }
 
 Json left_out_json(const std::optional<LeftOutParts>& left_out) {

@@ -21,15 +21,19 @@ double nominal_loss(const RobustFirst& first) {
   return loss_against(first.nominal.p5, first.robust.p5);
 }
 
-// Returns the loss of the robust best at the nominal coefficients.
+// Returns the loss of the most robust design at the nominal coefficients.
 double robust_loss(const RobustFirst& first) {
   return loss_against(first.robust.value, first.nominal.value);
 }
 
 std::string measure_words(const RobustFirst& first) {
-  return fmt::format("5 % quantile of {} over {}",
-                     first.by_score ? "the score" : "uniformity × efficiency",
-                     first.over_draws ? "the draws" : "contacts that are not alike");
+  if (first.by_score) return "5 % quantile of the score";
+  return first.over_draws ? "5 % quantile of uniformity × efficiency"
+                          : "product of the 5 % quantiles of uniformity and efficiency";
+}
+
+const char* over_words(const RobustFirst& first) {
+  return first.over_draws ? "over the draws" : "if friction differs between contacts";
 }
 
 bool is_same(const RobustFirst& first) {
@@ -51,12 +55,13 @@ std::vector<DocumentLine> robust_lines(const std::optional<RobustFirst>& first) 
   if (!first) return {};
   const auto& [nominal, robust, by_score, over_draws] = *first;
   if (is_same(*first)) {
-    return {{fmt::format("Robust best, too: {} {}, nominal {}", measure_words(*first),
-                         fixed(nominal.p5), fixed(nominal.value))}};
+    return {
+        {fmt::format("It is also the most robust design {}: {} {}, nominal {}", over_words(*first),
+                     measure_words(*first), fixed(nominal.p5), fixed(nominal.value))}};
   }
-  return {{fmt::format("Robust best: {}: {} {}, where the first has {} ({}); nominal {} ({})",
-                       design_name(robust.design), measure_words(*first), fixed(robust.p5),
-                       fixed(nominal.p5), signed_percent(-nominal_loss(*first)),
+  return {{fmt::format("Most robust design {}: {}: {} {} (best: {}, {}); nominal {} ({})",
+                       over_words(*first), design_name(robust.design), measure_words(*first),
+                       fixed(robust.p5), fixed(nominal.p5), signed_percent(-nominal_loss(*first)),
                        fixed(robust.value), signed_percent(-robust_loss(*first)))}};
 }
 

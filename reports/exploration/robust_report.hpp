@@ -1,4 +1,4 @@
-// The nominal best and the robust best of a ranking, and what each loses.
+// The nominal best and the most robust design of a ranking, and what each loses.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace reeve::reports {
 
-// Returns no lines if there is no robust best.
+// Returns no lines if there is no most robust design.
 std::vector<DocumentLine> robust_lines(const std::optional<RobustFirst>& first);
 
 Json robust_json(const std::optional<RobustFirst>& first);

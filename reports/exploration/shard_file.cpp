@@ -54,6 +54,8 @@ void add_record(Json& json, const ShardRecord& record) {
   json["total"] = record.total;
   json["generated"] = record.generated;
   json["evaluated"] = record.evaluated;
+  json["without_tensions"] = {{"count", record.without_tensions.count},
+                              {"example", record.without_tensions.example}};
   json["unconverged"] = record.unconverged;
   json["seconds"] = record.seconds;
   json["constraint_failures"] = record.constraint_failures;
@@ -81,6 +83,8 @@ void read_counts(const Json& json, ShardRecord& record) {
   json.at("total").get_to(record.total);
   json.at("generated").get_to(record.generated);
   json.at("evaluated").get_to(record.evaluated);
+  json.at("without_tensions").at("count").get_to(record.without_tensions.count);
+  json.at("without_tensions").at("example").get_to(record.without_tensions.example);
   json.at("unconverged").get_to(record.unconverged);
   json.at("seconds").get_to(record.seconds);
   json.at("constraint_failures").get_to(record.constraint_failures);
@@ -143,7 +147,7 @@ void require_intact(const Json& json, const std::string& name) {
                     .form = InputForm::unknown});
 }
 
-// What of these differs, but for what the shards differ in.
+// Returns the keys in which the settings differ, without those that differ between shards.
 std::string differing_keys(Json a, Json b) {
   for (Json* settings : {&a, &b}) {
     settings->erase("shard");

@@ -16,13 +16,13 @@ struct ShardFile {
   std::string whole;  // id of the exploration that it is a part of
   Shard shard;
   bool partial = false;
-  std::vector<std::string> arguments;  // of `explore`, but for where and which shard
+  std::vector<std::string> arguments;  // arguments of `explore`, without destination and shard
   Json settings;
   std::string version;
   ShardRecord record;
 };
 
-// Of a report that holds its record.
+// Returns the file of a report that holds its record.
 std::string shard_json(const ExploreReport& report, const std::vector<std::string>& arguments);
 
 // The record alone, and back; the numbers are the same to the last bit.
@@ -31,7 +31,7 @@ ShardRecord read_record_json(const std::string& text);
 
 // Throws InputError that begins with the name.
 ShardFile read_shard_json(const std::string& text, const std::string& name);
-// Whatever its digest.
+// Reads the shard without checking its digest.
 ShardFile shard_file_of(const std::string& text, const std::string& name);
 
 // Throws InputError unless these are the shards of one exploration, each once and to its end.

@@ -1,4 +1,4 @@
-// What a store says of the exploration that it is of, written and read back.
+// Description of the exploration in its store, written and read back.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace reeve::reports {
 
-// Of a report that is planned; the arguments are those of the command, but for where and which
+// Describes a planned report. The arguments are those of the command, without destination and
 // shard.
 Description store_description(const ExploreReport& planned,
                               const std::vector<std::string>& arguments);

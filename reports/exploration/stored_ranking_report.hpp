@@ -1,4 +1,4 @@
-// What a store keeps, ranked again: as a table, as JSON and as CSV.
+// Report of a store that was ranked again: as a table, as JSON and as CSV.
 #pragma once
 
 #include <string>

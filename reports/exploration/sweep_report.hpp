@@ -23,7 +23,7 @@ std::vector<Section> sweep_sections(const SweptDesigns& swept);
 std::string sweep_csv(const SweptDesigns& swept, const std::string& note = "");
 Json sweep_json(const SweptDesigns& swept);
 
-// What was asked for: {"coefficient","from","to"}, or null.
+// Returns the requested range: {"coefficient","from","to"}, or null.
 Json sweep_settings(const std::optional<CoefficientRange>& over);
 
 }  // namespace reeve::reports

@@ -26,8 +26,10 @@ std::string ratio_text(const std::vector<double>& shares, const Goal& goal) {
 }
 
 std::string moved_ratio_text(const TargetedDesign& design, const Goal& goal) {
-  return fmt::format("with μ -50 % {}, +50 % {}", ratio_text(design.moved_shares.front(), goal),
-                     ratio_text(design.moved_shares.back(), goal));
+  return fmt::format("with μ -50 % {}, +50 % {}, with unlike contacts {}",
+                     ratio_text(design.moved_shares.front(), goal),
+                     ratio_text(design.moved_shares.back(), goal),
+                     ratio_text(design.unlike.shares, goal));
 }
 
 std::string bounds_text(const SizingOptions& sizing) {
@@ -41,7 +43,7 @@ std::string bounds_text(const SizingOptions& sizing) {
 
 const char* means(const TargetedDesign& design) {
   if (!design.is_met()) return "out of reach";
-  return design.hangs_on_friction() ? "hangs on friction" : "by statics";
+  return design.hangs_on_friction() ? "depends on friction" : "by statics";
 }
 
 std::string targeted_text(const TargetedDesign& design, const Goal& goal) {
@@ -51,7 +53,7 @@ std::string targeted_text(const TargetedDesign& design, const Goal& goal) {
     return fmt::format("{} by statics; {}", start, moved_ratio_text(design, goal));
   }
   if (design.is_met()) {
-    return fmt::format("{}, which hangs on friction: {}", start, moved_ratio_text(design, goal));
+    return fmt::format("{}, which depends on friction: {}", start, moved_ratio_text(design, goal));
   }
   return fmt::format("{}, shares miss by {}", start, fixed(design.sized.design.after.nominal));
 }
@@ -69,6 +71,8 @@ Json targeted_json(const TargetedDesign& design, const MotorParts& motor) {
           {"shares", sized.after.shares},
           {"shares_at_half_friction", design.moved_shares.front()},
           {"shares_at_one_and_a_half_friction", design.moved_shares.back()},
+          {"miss_with_unlike_contacts", number(design.unlike.miss)},
+          {"shares_with_unlike_contacts", design.unlike.shares},
           {"motor", motor_force_json(sized.after.motor, motor)},
           {"hardware", to_json(sized.hardware)}};
 }
@@ -87,25 +91,24 @@ std::vector<DocumentLine> target_lines(const std::optional<TargetReport>& report
                      : fmt::format("No design reaches the target {}; the nearest is ", wanted);
   std::vector<DocumentLine> lines{
       {start + targeted_text(first, goal), !first.is_met()},
-      {fmt::format("Designs that have that ratio by statics, without friction: {}",
+      {fmt::format("Designs with this ratio by statics, without friction: {}",
                    report->by_statics)}};
   const SizedGoal& sized = first.sized.design.after;
   const MotorParts& motor = report->sizing.nominal.hardware.motor;
   for (const DocumentLine& line : motor_lines(sized.motor, motor)) {
-    lines.push_back({"As it is sized: " + line.text, line.caveat});
+    lines.push_back({"Sized: " + line.text, line.caveat});
   }
-  for (const DocumentLine& line : stroke_lines(sized.values, motor)) lines.push_back(line);
   return lines;
 }
 
 Section target_section(const std::optional<TargetReport>& report) {
   if (!report || report->designs.empty()) return {};
   const Goal& goal = report->sizing.goal;
-  Table table{
-      {number_column("rank"), text_column("routing"), text_column("ratio"), number_column("sized"),
-       number_column("μ -50 %", "", 1), number_column("μ +50 %", "", 1), number_column("miss"),
-       number_column("without μ"), number_column("sheaths", "", 2)},
-      {}};
+  Table table{{number_column("rank"), text_column("routing"), text_column("ratio"),
+               number_column("sized"), number_column("μ -50 %", "", 1),
+               number_column("μ +50 %", "", 1), number_column("unlike contacts", "", 1),
+               number_column("miss"), number_column("without μ"), number_column("sheaths", "", 2)},
+              {}};
   const bool hand = report->designs.front().sized.design.after.motor.has_value();
   if (hand) {
     table.columns.push_back(number_column("nominal motor", "N"));
@@ -121,6 +124,7 @@ Section target_section(const std::optional<TargetReport>& report) {
                                    ratio_text(sized.shares, goal),
                                    ratio_text(design.moved_shares.front(), goal),
                                    ratio_text(design.moved_shares.back(), goal),
+                                   ratio_text(design.unlike.shares, goal),
                                    fixed(sized.nominal),
                                    fixed(design.static_miss),
                                    fixed(value(sized.values, Objective::sheaths), 0)};

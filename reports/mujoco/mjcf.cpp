@@ -150,6 +150,7 @@ void write_motors(double pull_N, int motors, MjcfText& out) {
 std::string mjcf(const Routing& routing, const Hardware& hardware, const MjcfOrigin& origin) {
   // All ends at a motor move with the body of its carriage.
   require_no_spools(hardware, "none in an export to MuJoCo");
+  require_no_springs(hardware, "none in an export to MuJoCo");
   const MechanicsBuilder mechanics(hardware);
   Network network = expand(routing);
   RopePlan plan = rope_plan(routing, network);

@@ -11,10 +11,10 @@
 //               equality constraint
 //
 // At rest the tensions are those of the tension model with all friction exponents 0, as long as no
-// tendon would have to push. What MuJoCo's tendons cannot carry is friction at contacts: the
-// exponents are in the file as data that nothing acts on, and its first lines say so. Several trees
-// of tendons share the motor's pull as the springs of their fingers ask, not by equal take-up.
-// Masses and damping only bring the rig to rest.
+// tendon would have to push. MuJoCo's tendons cannot carry friction at contacts: the exponents are
+// in the file as data that nothing acts on, and its first lines say so. Several trees of tendons
+// share the motor's pull as the springs of their fingers ask, not by equal take-up. Masses and
+// damping only bring the rig to rest.
 #pragma once
 
 #include <string>
@@ -24,10 +24,10 @@
 
 namespace reeve::reports {
 
-// What the file's first lines say it is of; "" is passed over.
+// Origin of the model, for the file's first lines; "" is left out.
 struct MjcfOrigin {
   std::string name;      // the routing's, in the catalogue
-  std::string hardware;  // where it comes from: a file, the catalogue, the defaults
+  std::string hardware;  // source of the hardware: a file, the catalogue, the defaults
 };
 
 // Throws InputError of hardware that does not fit, OutOfRange where blocks are free to move against

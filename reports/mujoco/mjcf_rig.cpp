@@ -17,8 +17,8 @@ constexpr double finger_pitch_m = 0.03;
 constexpr double strand_gap_m = 0.008;
 constexpr double lane_pitch_m = 0.012;
 constexpr double margin_m = 0.02;
-// Of a finger without joints: its strands give up half of their length at most, against a spring
-// that a pull of 10 N stretches by a fifth of the usual 100 mm.
+// Slider in place of a finger without joints: its strands give up half of their length at most,
+// against a spring that a pull of 10 N stretches by a fifth of the usual 100 mm.
 constexpr double slider_share = 0.5;
 constexpr double slider_spring_N_m = 500;
 
@@ -64,7 +64,7 @@ double sum(const std::vector<double>& values) {
   return total;
 }
 
-// Of each block: travel for each millimetre that fingers close.
+// Returns the travel of each block for each millimetre that fingers close.
 std::vector<double> travel_per_closing(const Network& network, const Mechanics& mechanics) {
   std::vector<double> greatest(network.blocks.size(), 0);
   for (const WeightedGrasp& grasp : single_grasps(network.fingers)) {

@@ -1,4 +1,4 @@
-// What the parts of an exported file are about, and the names that they share.
+// Layout of an exported rig, and the names that the parts of the file share.
 #pragma once
 
 #include <tinyxml2.h>
@@ -16,8 +16,8 @@
 
 namespace reeve::reports {
 
-// Where the parts of a planar rig stand, in metres: fingers side by side along y, each of their
-// legs and those of the carriage parallel to x, blocks in lanes of their own beside them.
+// Layout of a planar rig, in metres: fingers side by side along y, each of their legs and those of
+// the carriage parallel to x, blocks in lanes of their own beside them.
 //
 // A leg must never come to an end: each mover stands so far from its eyelets as it can travel while
 // the fingers close, which is bounded by the kinematics (core/tension/kinematics.hpp): the greatest
@@ -25,8 +25,8 @@ namespace reeve::reports {
 // times what all fingers can close.
 struct RigFinger {
   std::vector<FingerJoint> joints;  // none: the finger is a slider with a spring
-  double closing_m = 0;             // what each strand gives up at most
-  double spring_N_m = 0;            // of a slider
+  double closing_m = 0;             // greatest length that each strand gives up
+  double spring_N_m = 0;            // spring rate of a slider
   double reach_m = 0;               // from the eyelets to the runner in the open hand
   double y_m = 0;
 };

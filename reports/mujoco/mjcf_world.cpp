@@ -81,7 +81,7 @@ class WorldWriter {
     for (std::size_t j = 0; j < finger.joints.size(); ++j) out_.close();
   }
 
-  // Where the next one begins. Its body stays open for that one.
+  // Returns the place at which the next phalanx begins. The body stays open for that one.
   RigPlace phalanx(std::size_t f, std::size_t j, RigPlace at) {
     const std::vector<FingerJoint>& joints = rig_.layout.fingers[f].joints;
     const double beyond_mm = j + 1 < joints.size() ? joints[j + 1].lever_mm : 0;

@@ -31,19 +31,19 @@ struct Leg {
 };
 
 enum class PointKind : std::uint8_t {
-  eyelet,  // of a leg
+  eyelet,  // one end of a leg
   mover,   // the other end of the leg
-  fixed,   // where a tendon ends at the hand, or is joined there
+  fixed,   // end of a tendon at the hand, or a joint there
 };
 
 struct RopePoint {
   PointKind kind = PointKind::eyelet;
-  std::size_t index = 0;  // of the leg; of fixed points, their number
+  std::size_t index = 0;  // index of the leg; of fixed points, their number
 };
 
 struct Rope {
   std::vector<RopePoint> points;
-  std::vector<std::size_t> segments;  // of the network
+  std::vector<std::size_t> segments;  // segments of the network
 };
 
 struct RopePlan {

@@ -40,7 +40,7 @@ std::error_code why_not_in_folder(const fs::path& folder) {
   return ::access(folder.c_str(), W_OK | X_OK) == 0 ? std::error_code() : last_error();
 }
 
-// Of a file that is there and is no link.
+// Describes a file that exists and is no link.
 void describe(Destination& there, const struct stat& status) {
   if (S_ISDIR(status.st_mode)) {
     there.error = std::make_error_code(std::errc::is_a_directory);

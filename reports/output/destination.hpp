@@ -1,4 +1,4 @@
-// Where the bytes of a file go that the user names, and how: the one rule for all that is written.
+// Destination of a file that the user names: the one rule for all that is written.
 //
 //   regular file, or none yet   replaced by another one of the same permissions (files.hpp)
 //   symbolic link               what it leads to, which need not be there; the link stays
@@ -26,7 +26,7 @@ struct Destination {
   std::filesystem::path file;       // no link
   std::optional<int> descriptor{};  // open in this process
   bool written_through = false;
-  std::optional<ReplacedFile> replaced{};  // of what is there
+  std::optional<ReplacedFile> replaced{};  // permissions and owner of the existing file
   std::error_code error{};                 // why nothing can be written there
 };
 

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t longest_name = 255;  // of a file, in bytes, nearly everywhere
+constexpr std::size_t longest_name = 255;  // limit of a file name, in bytes, nearly everywhere
 
 [[noreturn]] void fail_to_write(const fs::path& file, const std::error_code& error) {
   throw InputError(fmt::format("file '{}' cannot be written: {}", file.string(), error.message()));
@@ -69,7 +69,7 @@ void flush_folder(const fs::path& folder) {
   ::close(descriptor);
 }
 
-// Who may read it and write it stays; whose it is, where that may be given away.
+// Keeps the permissions, and the owner if the process may give files away.
 std::error_code keep_permissions(int descriptor, const ReplacedFile& replaced) {
   if (::fchown(descriptor, replaced.owner, replaced.group) != 0) errno = 0;
   return ::fchmod(descriptor, replaced.mode) == 0 ? std::error_code() : last_failure();
@@ -77,7 +77,7 @@ std::error_code keep_permissions(int descriptor, const ReplacedFile& replaced) {
 
 std::error_code write_new(const fs::path& file, const std::string& content,
                           const std::optional<ReplacedFile>& replaced) {
-  // Of a process that had the same number and was killed.
+  // A process that had the same number and was killed may have left the file.
   ::unlink(file.c_str());
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0) return last_failure();

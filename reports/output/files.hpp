@@ -17,8 +17,8 @@ void prepare_directory(const std::filesystem::path& directory, const std::string
 // Files that belong together. Each is written under a temporary name beside its own. Then the old
 // ones go, those to be replaced and those to be removed, the last of the batch first; and the new
 // ones appear in the order in which they were added. So a kill leaves old files or new ones, never
-// some of both, and where the last file is, all are. A single file is replaced in one step. What
-// fails or runs out of memory before that leaves what was there as it was.
+// some of both, and where the last file is, all are. A single file is replaced in one step. A
+// failure or lack of memory before that leaves the old files as they were.
 class FileBatch {
  public:
   FileBatch() = default;

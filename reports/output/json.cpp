@@ -69,6 +69,19 @@ Json finger_json(const FingerHardware& finger) {
   return json;
 }
 
+// As in the hardware file.
+Json tendon_json(const TendonParts& parts) {
+  Json json = Json::object();
+  add_if_given(json, "EA_N", parts.EA_N);
+  add_if_given(json, "travel_mm", parts.travel_mm);
+  for (const TendonHardware& own : parts.own) {
+    Json& tendon = json[std::to_string(own.tendon)] = Json::object();
+    add_if_given(tendon, "stiffness_N_mm", own.stiffness_N_mm);
+    add_if_given(tendon, "slack_mm", own.slack_mm);
+  }
+  return json;
+}
+
 Json score_json(const Order& order, const Score& score) {
   Json json{{"orders", order.by_score}, {"weights", Json::object()}};
   for (const ScoreTerm& term : score.terms) json["weights"][row(term.objective).name] = term.weight;
@@ -116,6 +129,7 @@ Json to_json(const Hardware& hardware) {
     return entry;
   });
   for (const SpoolHardware& spool : hardware.spools) json["spools"][spool.segment] = spool.ratio;
+  if (hardware.tendon != TendonParts{}) json["tendon"] = tendon_json(hardware.tendon);
   if (!hand(hardware)) return json;
   json["hand"] = Json::object();
   add_parts(json["hand"], hardware.finger_parts);
@@ -135,7 +149,7 @@ std::string order_text(const Order& order, const Score& score) {
   const std::string made_of =
       fmt::format("the weighted mean of {} (greater is better)", to_text(score));
   if (order.objectives == std::vector{Objective::score}) return "By the score, " + made_of;
-  const std::string fronts = "Front by front over " + objective_names(order.objectives);
+  const std::string fronts = "Sorted by Pareto front (" + objective_names(order.objectives) + ")";
   return order.by_score ? fronts + ", within a front by the score, " + made_of : fronts;
 }
 
@@ -146,14 +160,15 @@ Json to_json(const PartPrices& prices) {
   return json;
 }
 
-void add_carriages(Json& target, const Grasp& grasp) {
+void add_ends(Json& target, const Grasp& grasp) {
+  if (grasp.locked != 0) target["locked"] = locked_ends(grasp);
   if (grasp.carriages.given > 0) target["carriages"] = carriage_travels(grasp);
 }
 
 Json to_json(const GraspSet& grasps) {
   return list_json(grasps, [](const WeightedGrasp& grasp) {
     Json json{{"held", held_fingers(grasp.grasp)}, {"weight", grasp.weight}};
-    add_carriages(json, grasp.grasp);
+    add_ends(json, grasp.grasp);
     return json;
   });
 }

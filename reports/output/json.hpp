@@ -46,7 +46,7 @@ Json to_json(const Hardware& hardware);
 Json to_json(const UncertaintyOptions& options);
 Json to_json(const PartPrices& prices);
 // Travels of the carriages, if the grasp gives them.
-void add_carriages(Json& target, const Grasp& grasp);
+void add_ends(Json& target, const Grasp& grasp);
 Json to_json(const GraspSet& grasps);
 
 // {"objectives","score","grasps","hardware","model"}
@@ -55,7 +55,7 @@ Json settings_json(const Order& order, const Score& score, const GraspSet& grasp
 
 std::string objective_names(const std::vector<Objective>& objectives);
 
-// "Front by front over uniformity_mean, efficiency_mean", "By the score, …"
+// "Sorted by Pareto front (uniformity_mean, efficiency_mean)", "By the score, …"
 std::string order_text(const Order& order, const Score& score);
 
 std::string version_json();
@@ -87,7 +87,7 @@ class ObjectText {
     text_ += "\n  ]";
   }
 
-  // Of all members.
+  // Returns the text of all members.
   std::string text() &&;
 
  private:

@@ -6,7 +6,8 @@
 namespace reeve::reports {
 namespace {
 
-// What no shell takes for anything else, wherever it stands in a word; '~' and '#' can be.
+// True if no shell gives the character a meaning, wherever it stands in a word. '~' and '#' can
+// have one.
 bool is_plain(char c) {
   constexpr std::string_view marks = "_-+./,:@%=";
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
