@@ -87,7 +87,7 @@ test("a specification is filled anew each time, and the file's stays as it was",
   assert.equal(params.reach.length, 4);
   const narrow = parallels.parallel({ data: many(300), width: 150 }).spec;
   assert.equal(narrow.params.find(({ name }) => name === "narrow").value, true);
-  assert.equal(narrow.encoding.x.scale.domain[2], "objective 2 (turned)");
+  assert.equal(narrow.encoding.x.scale.domain[2], "objective 2 (inverted)");
   assert.deepEqual(specifications, before);
 });
 
@@ -99,8 +99,8 @@ test("up is better on every axis", () => {
     const column = data.designs.values[2];
     return column.indexOf((end === 0 ? Math.min : Math.max)(...column));
   });
-  assert.equal(height(low, "objective 2 (turned)"), 1);
-  assert.equal(height(high, "objective 2 (turned)"), 0);
+  assert.equal(height(low, "objective 2 (inverted)"), 1);
+  assert.equal(height(high, "objective 2 (inverted)"), 0);
 });
 
 test("lines are those of the best; every design is counted on every axis", () => {
@@ -144,7 +144,7 @@ test("what has no value is a dash, and is drawn nowhere", () => {
 });
 
 // The same cases as in exploration_figures_test.cpp.
-test("about the front is the best tenth of both spreads, as far as the front reaches", () => {
+test("about the front are the nearest places, as far as the front reaches", () => {
   const near = (places, better = "higher") => {
     const [xs, ys] = [0, 1].map((axis) => places.map((place) => place[axis]));
     const data = { objectives: objectives.map((one) => ({ ...one, better, least: null, greatest: null })), ranking: [0, 1], designs: {
@@ -153,13 +153,49 @@ test("about the front is the best tenth of both spreads, as far as the front rea
     const { inside, near: window } = charts.pareto({ data, axes: [0, 1], view: "near" });
     return window && inside;
   };
-  const best = [[1, 1], [0.95, 0.95], [0.92, 0.99], [0.99, 0.91], [0.9, 0.93]];
+  const best = [[1, 1], [0.95, 0.95], [0.92, 0.99], [0.99, 0.91], [0.9, 0.93], [0.97, 0.9], [0.93, 0.9], [0.9, 0.9]];
   const others = [[0, 0], [0.95, 0.5], [0.5, 0.95], [0.89, 0.99]];
   const turned = (places) => places.map(([x, y]) => [-x, -y]);
-  assert.equal(near([...best, ...others]), 5);
-  assert.equal(near(turned([...best, ...others]), "lower"), 5);
-  assert.equal(near([[1, 0.5], [0.6, 1], [0.8, 0.8], [0.7, 0.6], [0.65, 0.55], [0, 0], [0.55, 0.9], [0.9, 0.45]]), 5);
+  assert.equal(near([...best, ...others]), 8);
+  assert.equal(near(turned([...best, ...others]), "lower"), 8);
+  assert.equal(near([[1, 0.5], [0.6, 1], [0.8, 0.8], [0.7, 0.6], [0.65, 0.55], [0.61, 0.9], [0.75, 0.7], [0.8, 0.55],
+    [0.62, 0.52], [0, 0], [0.55, 0.9], [0.9, 0.45]]), 9);
   assert.equal(near([[1, 1], [0.95, 0.95], [0, 0], [0.2, 0.1]]), null);
+});
+
+const labelBox = ({ x, y, dx, dy, align, text }) => {
+  const width = 7 * text.length;
+  const left = x + dx - (align === "left" ? 0 : align === "right" ? width : width / 2);
+  return { left, right: left + width, top: y + dy - 7, bottom: y + dy + 7 };
+};
+const farFrom = ({ left, right, top, bottom }, { x, y }) =>
+  Math.hypot(Math.max(left - x, 0, x - right), Math.max(top - y, 0, y - bottom));
+
+test("a label is nearer to its own mark than to another that has one", () => {
+  const frame = { width: 400, height: 200 };
+  for (let i = 0; i < 16; ++i) {
+    const [a, b] = [{ x: 200, y: 100, text: "A" },
+      { x: 200 + 16 * Math.cos(i * Math.PI / 8), y: 100 + 16 * Math.sin(i * Math.PI / 8), text: "B" }];
+    const placed = plain(labels.place([a, b], frame)).map((label) => ({ label, box: labelBox(label) }));
+    assert.deepEqual(placed.map(({ label }) => label.text), ["A", "B"]);
+    assert.ok(farFrom(placed[0].box, a) < farFrom(placed[0].box, b) && farFrom(placed[1].box, b) < farFrom(placed[1].box, a));
+  }
+});
+
+test("marks on one spot have one label, and other marks are left uncovered", () => {
+  const frame = { width: 400, height: 200 };
+  const spot = { x: 200, y: 100 };
+  assert.deepEqual(plain(labels.place([{ ...spot, text: "A" }, { x: 203, y: 101, text: "TR7" }], frame))
+    .map(({ text }) => text), ["A, TR7"]);
+  const marks = Array.from({ length: 30 }, (_, i) => ({ x: 205 + 3 * i, y: 100 - (i % 5) }));
+  const [label] = plain(labels.place([{ ...spot, text: "within 2 %" }], frame, marks));
+  for (const { x, y } of marks) assert.ok(farFrom(labelBox(label), { x, y }) > 0, `over ${x}, ${y}`);
+});
+
+test("what lies outside the view stands at its edge with an arrow", () => {
+  const { labelsBeside } = charts.pareto({ data: many(300), axes: [0, 1], view: [[0.4, 0.6], [0.4, 0.6]] });
+  const texts = plain(labelsBeside([{ x: 0.1, y: 0.5, text: "A" }, { x: 0.9, y: 0.9, text: "B" }])).map(({ text }) => text);
+  assert.deepEqual(texts, ["← A", "↗ B"]);
 });
 
 test("labels lie neither over each other nor beyond the frame", () => {
@@ -168,11 +204,7 @@ test("labels lie neither over each other nor beyond the frame", () => {
     x: (i * 97) % 400, y: (i * 53) % 200, text: `label ${i}` }));
   const placed = plain(labels.place(wanted, frame));
   assert.ok(placed.length > 15 && placed.length <= 40, `${placed.length}`);
-  const boxes = placed.map(({ x, y, dx, dy, align, text }) => {
-    const width = 7 * text.length;
-    const left = x + dx - (align === "left" ? 0 : align === "right" ? width : width / 2);
-    return { left, right: left + width, top: y + dy - 7, bottom: y + dy + 7 };
-  });
+  const boxes = placed.map(labelBox);
   boxes.forEach((a, i) => {
     assert.ok(a.left >= 0 && a.right <= 400 && a.top >= 0 && a.bottom <= 200);
     for (const b of boxes.slice(i + 1)) {

@@ -155,7 +155,7 @@ describe("diagnose: the tension distributions of TR1 to TR7", () => {
   test("the table has the error of each routing", async () => {
     const table = page.locator("#share-errors");
     for (const [heading, key] of [
-      ["as it stands", "before_N"],
+      ["nominal", "before_N"],
       ["extended", "after_N"],
     ]) {
       const shown = await column(table, heading);

@@ -19,9 +19,36 @@ import { pages } from "./pages.mjs";
 import { pageFile } from "./places.mjs";
 import { outlineFaults, figureFaults, staticFaults, textFaults } from "./structure.mjs";
 
-async function fitsThePhone(page) {
+// Words and names that go into several lines on paper.
+const brokenWords = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll("tbody .left:not(.long)")]
+      .filter((cell) => cell.checkVisibility() && !cell.closest(".columns"))
+      .filter((cell) => {
+        const walker = document.createTreeWalker(cell, NodeFilter.SHOW_TEXT);
+        const tops = [];
+        while (walker.nextNode()) {
+          const range = document.createRange();
+          range.selectNodeContents(walker.currentNode);
+          tops.push(...[...range.getClientRects()].map(({ top }) => top));
+        }
+        return Math.max(...tops) - Math.min(...tops) > 6;
+      })
+      .map((cell) => cell.textContent.trim().slice(0, 40)));
+
+// Headings that Chromium leaves blank where a table goes on on the next page.
+const blankHeadings = (page) =>
+  page.locator("thead button").evaluateAll((buttons) =>
+    buttons.filter((button) => getComputedStyle(button).display !== "contents").map((button) => button.textContent));
+
+// The width that an A4 page leaves between the margins of a printer.
+const paper = 718;
+// Tables of many grasps, which browsers print smaller.
+const wideTables = ["show-wide"];
+
+async function fits(page, most) {
   const width = await scrollWidth(page);
-  assert.ok(width <= phone, `${width} px wide: ${await tooWide(page, phone)}`);
+  assert.ok(width <= most, `${width} px wide: ${await tooWide(page, most)}`);
 }
 
 // Two at a time, for two cores.
@@ -58,11 +85,14 @@ describe("every page", { concurrency: 2 }, () => {
       const height = await page.evaluate(() => document.documentElement.scrollHeight);
       assert.ok(height < 4000, `${height} px high on a phone`);
       await unfold(page);
-      await fitsThePhone(page);
+      await fits(page, phone);
       await fold(page);
-      await page.setViewportSize({ width: 794, height: 1123 });
+      await page.setViewportSize({ width: paper, height: 1123 });
       await page.emulateMedia({ media: "print" });
       assert.deepEqual(await foldedAway(page), [], "printed");
+      assert.deepEqual(await brokenWords(page), [], "printed");
+      assert.deepEqual(await blankHeadings(page), [], "printed");
+      if (!wideTables.includes(name)) await fits(page, paper);
       await screenshot(page, name, "print");
       assert.deepEqual(await staticFaults(page), []);
       await print(page, name);
@@ -76,7 +106,7 @@ describe("every page", { concurrency: 2 }, () => {
       assert.deepEqual(await staticFaults(page), []);
       await page.setViewportSize({ width: phone, height: 900 });
       await unfold(page);
-      await fitsThePhone(page);
+      await fits(page, phone);
       assert.deepEqual(faults, []);
       await page.context().close();
     });

@@ -124,6 +124,8 @@ describe("explore: the plot", () => {
   });
 
   test("names in the plot lie neither over each other nor over the letters", async () => {
+    await page.locator("#view-all").click();
+    await settled(page);
     const boxes = await page.locator("#pareto .live .mark-text.role-mark text").evaluateAll((texts) =>
       texts.filter((text) => text.textContent.trim()).map((text) => {
         const { left, right, top, bottom } = text.getBoundingClientRect();

@@ -6,9 +6,9 @@ import { settled } from "./harness.mjs";
 import { sameToThreeDecimals, schematicTensions, schematicTitle } from "./looking.mjs";
 import { reeveJson } from "./places.mjs";
 
-const slot = (page, word) => page.locator(`.slot[data-word="${word}"]`);
+const slot = (page, word) => page.locator(`#slots .slot[data-word="${word}"]`);
 const shownWords = (page) =>
-  page.locator(".slot").evaluateAll((slots) => slots.map((one) => one.dataset.word));
+  page.locator("#slots .slot").evaluateAll((slots) => slots.map((one) => one.dataset.word));
 const { first, affordable } = {
   first: summary.top[0].routing,
   affordable: summary.ladder.affordable.routing,
@@ -26,7 +26,7 @@ for (const [page_name, fingers] of [[name, 2], ["explore-3", 3]]) {
     }, page_name);
 
     test("it holds the answer, both drawings, the ladder and the plot", async () => {
-      const parts = ["#answer", ".slot:nth-child(1) .drawing svg", ".slot:nth-child(2) .drawing svg",
+      const parts = ["#answer", "#slots .slot:nth-child(1) .drawing svg", "#slots .slot:nth-child(2) .drawing svg",
         "#ladder-table", "#pareto .live svg"];
       for (const part of parts) {
         const { top, left, bottom, right } = await page.locator(part).evaluate((one) => {
@@ -38,7 +38,7 @@ for (const [page_name, fingers] of [[name, 2], ["explore-3", 3]]) {
     });
 
     test("the drawings stand beside each other and are large enough to be seen", async () => {
-      const places = await page.locator(".slot .drawing svg").evaluateAll((drawings) =>
+      const places = await page.locator("#slots .drawing svg").evaluateAll((drawings) =>
         drawings.map((one) => one.getBoundingClientRect().toJSON()));
       assert.equal(places.length, 2);
       assert.ok(places[0].right <= places[1].left);
@@ -60,7 +60,7 @@ describe("explore: the panel", () => {
 
   test("it begins with the first and the affordable design, as the summary has them", async () => {
     assert.deepEqual(await shownWords(page), [first, affordable]);
-    assert.match(await slot(page, first).locator("h2").textContent(), /First/);
+    assert.match(await slot(page, first).locator("h2").textContent(), /Best/);
     assert.match(await slot(page, affordable).locator("h2").textContent(), /Fewest sheaths within 2 %/);
     for (const word of [first, affordable]) {
       const drawing = slot(page, word).locator(".drawing");
@@ -87,16 +87,17 @@ describe("explore: the panel", () => {
       assert.ok(Math.abs(height / Math.max(...heights) - strands[i] / most) < 0.03, `${height}`));
   });
 
-  test("a design that is pointed at in the table stands in it, in view, however far down", async () => {
+  test("a design that is pointed at in the table stands beside it, in view, however far down", async () => {
     await filterBy(page, { which: "listed" });
     const row = page.locator("#designs tbody tr").nth(25);
     await row.scrollIntoViewIfNeeded();
     const word = await row.getAttribute("data-word");
     await row.locator("td").last().scrollIntoViewIfNeeded();
     await row.locator("th").hover();
-    await slot(page, word).locator(".drawing svg").waitFor();
+    const drawing = page.locator(`#preview .slot[data-word="${word}"] .drawing svg`);
+    await drawing.waitFor();
     assert.deepEqual(await shownWords(page), [first, word]);
-    const { top, bottom } = await slot(page, word).locator(".drawing svg").evaluate((svg) => {
+    const { top, bottom } = await drawing.evaluate((svg) => {
       const { top, bottom } = svg.getBoundingClientRect();
       return { top, bottom };
     });
@@ -129,7 +130,7 @@ describe("explore: the panel", () => {
 
   test("four that are selected are all in it", async () => {
     await clearSelection(page);
-    await page.locator(".slot").first().waitFor({ state: "detached" });
+    await page.locator("#slots .slot").first().waitFor({ state: "detached" });
     const words = summary.top.slice(0, 4).map(({ routing }) => routing);
     await filterBy(page, {});
     for (const button of await page.locator("#designs button[data-alike]").all()) {
@@ -140,6 +141,17 @@ describe("explore: the panel", () => {
     await page.locator("#filter-text").focus();
     await slot(page, words[3]).waitFor();
     assert.deepEqual(await shownWords(page), words);
+  });
+
+  test("each design that the answer names is drawn with a click", async () => {
+    const buttons = await page.locator("#answer button").all();
+    assert.ok(buttons.length >= 3, `${buttons.length}`);
+    for (const button of buttons) {
+      await clearSelection(page);
+      await button.click();
+      const word = await button.textContent();
+      assert.ok((await schematicTitle(slot(page, word).locator(".drawing"))).includes(word));
+    }
   });
 
   test("lines of the ladder are selected with a click", async () => {

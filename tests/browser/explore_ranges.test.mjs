@@ -73,7 +73,7 @@ describe("explore: ranges on the parallel axes", () => {
   });
 
   test("whole numbers are kept whole", async () => {
-    await drag(page, "sheaths (turned)", 1, 0.5);
+    await drag(page, "sheaths (inverted)", 1, 0.5);
     const { ranges } = await page.evaluate(() => ({ ranges: [...explorationState.ranges()] }));
     const [, kept] = ranges.at(-1);
     assert.ok(kept.every(Number.isInteger), kept.join());

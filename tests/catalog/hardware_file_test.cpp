@@ -181,6 +181,19 @@ TEST(HardwareFile, NamesThePlaceOfABadNumber) {
        "h.toml:2:1: hardware: spools 'x9': expected a motor-side segment such as a"},
       {"[spools]\nT1 = 0.5\n",
        "h.toml:2:1: hardware: spools 'T1': expected a motor-side segment such as a"},
+      {"[tendon]\nEA_N = 0\n",
+       "h.toml:1:2: hardware: tendon.EA_N = 0: expected a number from 1 to 1000000000 N"},
+      {"[tendon]\nEI = 3\n",
+       "h.toml:2:1: unknown key 'tendon.EI': expected EA_N, travel_mm or tendon.1 to tendon.128"},
+      {"[tendon]\nEA_N = 2000\n[tendon.2]\nstiffness_N_mm = 0\n",
+       "h.toml:3:9: hardware: tendon.2.stiffness_N_mm = 0: expected a number from 0.001 to 1000000 "
+       "N/mm"},
+      {"[tendon.2]\nstiffness_N_mm = 5\n",
+       "h.toml:1:9: hardware: tendon.2.stiffness_N_mm = 5: expected EA_N in [tendon]: the spring "
+       "gives way beside the tendon's own EA/L"},
+      {"[tendon.2]\nslack_mm = 5\n",
+       "h.toml:1:9: hardware: tendon.2.slack_mm = 5: expected travel_mm in [tendon]: the carriage "
+       "travel that slack is a part of"},
       {"[uncertainty]\ntube_mu = [0.2, 0.1]\n",
        "h.toml:2:11: uncertainty.tube_mu = [0.2, 0.1]: expected two friction coefficients, the "
        "least and the greatest, such as [0.05, 0.20], at most 10"},
@@ -208,6 +221,17 @@ TEST(HardwareFile, HasSpoolsAndWritesThem) {
   EXPECT_EQ(again.hardware.spools, file.hardware.spools);
 }
 
+TEST(HardwareFile, HasSpringsAndSlackAndWritesThem) {
+  const HardwareFile file = hardware_file_of(
+      "[tendon]\nEA_N = 2e4\ntravel_mm = 30\n[tendon.1]\nstiffness_N_mm = 5\n"
+      "[tendon.3]\nslack_mm = 10\n");
+  const TendonParts expected{2e4, 30, {{1, 5, {}}, {3, {}, 10}}};
+  EXPECT_EQ(file.hardware.tendon, expected);
+  const HardwareFile again =
+      hardware_file_of(hardware_toml(file.hardware, file.uncertainty, file.vary));
+  EXPECT_EQ(again.hardware.tendon, expected);
+}
+
 TEST(HardwareFile, SaysWhatMayBeChosenAndWhere) {
   const VaryTable vary = hardware_file_of(
                              "[vary]\nsheath_angle = [3, 9.5]\n\"tip_angle[1]\" = [1, 4]\n"
@@ -222,6 +246,15 @@ TEST(HardwareFile, SaysWhatMayBeChosenAndWhere) {
   ASSERT_EQ(vary.same.size(), 2U);
   EXPECT_EQ(vary.same[1].text, "sheath_angle[2,3]");
   EXPECT_TRUE(vary.same[1].place.ends_with("h.toml:4:17: vary")) << vary.same[1].place;
+}
+
+TEST(HardwareFile, MayNameTheTwoContactsOfALoopThatJoinTheSameStrands) {
+  const HardwareFile file =
+      hardware_file_of("[contact.T1-T2]\nmu = 0.1\n[contact.T2-T1]\nangle_rad = 2\n");
+  ASSERT_EQ(file.hardware.contacts.size(), 2U);
+  EXPECT_EQ(
+      hardware_file_of(hardware_toml(file.hardware, file.uncertainty, file.vary)).hardware.contacts,
+      file.hardware.contacts);
 }
 
 TEST(HardwareFile, WrittenHasWhatMayBeChosenToo) {
@@ -256,7 +289,7 @@ TEST(HardwareFile, NamesUnknownTablesAndKeysAndTheOnesThereAre) {
   const std::vector<Mistake> mistakes = {
       {"[tub]\nmu = 1\n",
        "h.toml:1:2: unknown key 'tub': expected one of tube, bearing, block, sheath, lengths, "
-       "finger, contact, spools, uncertainty, hand, motor, vary; did you mean tube?"},
+       "finger, contact, spools, tendon, uncertainty, hand, motor, vary; did you mean tube?"},
       {"[tube]\nmu_s = 1\n",
        "h.toml:2:1: unknown key 'tube.mu_s': expected one of mu, angle_rad, known"},
       {"tube = 0.18\n", "h.toml:1:8: tube = 0.18: expected a table"},

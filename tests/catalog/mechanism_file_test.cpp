@@ -161,7 +161,7 @@ TEST(BadMechanismFile, NamesThePlaceOfAMistakeInItsHead) {
        "x.toml:4:31: hardware.bearing.mu = -1: expected a finite number, not negative"},
       {mechanism_head + "hardware = { sheaf = { mu = 1 } }\n",
        "x.toml:4:14: unknown key 'hardware.sheaf': expected one of tube, bearing, block, sheath, "
-       "lengths, finger, contact, spools, uncertainty, hand, motor, vary"},
+       "lengths, finger, contact, spools, tendon, uncertainty, hand, motor, vary"},
       {mechanism_head + "[rig.a]\nlet = { pi = 3 }\n",
        "x.toml:5:9: let 'pi': expected a new name of letters, digits and '_', such as K or P1"},
       {mechanism_head + "[rig.a]\nlet = { 2K = 3 }\n",

@@ -172,6 +172,23 @@ TEST(ModelFile, OfTheExampleHasWhatItSays) {
   EXPECT_EQ(effect_name(file.model.effects[5]), "law[exponent of sheath, humidity_pct, linear]");
 }
 
+TEST(TermsFile, HasLawsAlone) {
+  const TemporaryFolder folder;
+  const std::string law =
+      "[[law]]\nacts_on = \"gain\"\nsite = \"T3\"\nform = \"constant\"\na = 0.1\n";
+  const std::vector<Effect> terms = read_terms_file(folder.write("t.toml", law), {});
+  ASSERT_EQ(terms.size(), 1U);
+  EXPECT_EQ(effect_name(terms[0]), "law[gain of T3]");
+  EXPECT_EQ(terms[0].values, std::vector{0.1});
+  const auto error = [&](const std::string& text) {
+    return folder.error_of([&] { read_terms_file(folder.write("t.toml", text), {}); });
+  };
+  EXPECT_EQ(error(""), "t.toml:1:1: missing key 'law': expected one [[law]] at least");
+  EXPECT_EQ(error("[sheath]\nmu = 0.1\n"), "t.toml:1:2: unknown key 'sheath': expected one of law");
+  EXPECT_EQ(error(law + law),
+            "t.toml:6:1: law[2]: law[gain of T3] is given twice: expected each effect once");
+}
+
 TEST(BadModelFile, NamesThePlaceOfABadEffect) {
   const std::vector<Mistake> mistakes = {
       {"cause = \"rust\"\n",
@@ -207,6 +224,20 @@ TEST(ModelFile, TakesNamesOfTheCatalogueForRoutings) {
   EXPECT_EQ(file.model.effects[0].subject.routing, "M-1-P-2-M");
 }
 
+TEST(ModelFile, NamesAContactInWalkOrder) {
+  const auto contact_of = [](const std::string& routing) {
+    const TemporaryFolder folder;
+    return read_model_file(
+               folder.write("m.toml", "[[effect]]\ncause = \"seized_contact\"\nrouting = \"" +
+                                          routing + "\"\ncontact = \"T2-T1\"\n"),
+               Catalogue{})
+        .model.effects[0]
+        .subject.contact;
+  };
+  EXPECT_EQ(contact_of("M-1-F"), "T1-T2");
+  EXPECT_EQ(contact_of("M-Y1+1-Y1-1"), "T2-T1");
+}
+
 TEST(BadModelFile, NamesThePlaceOfABadSubject) {
   const std::vector<Mistake> mistakes = {
       {"cause = \"sensor_gain\"\ngain = 1.1\n",
@@ -240,7 +271,7 @@ TEST(BadModelFile, NamesThePlaceOfABadCondition) {
   EXPECT_EQ(
       error_in_model("[tubes]\n"),
       "m.toml:1:2: unknown key 'tubes': expected one of tube, bearing, block, sheath, lengths, "
-      "finger, contact, spools, uncertainty, hand, motor, vary, conditions, effect, law; did you mean tube?");
+      "finger, contact, spools, tendon, uncertainty, hand, motor, vary, conditions, effect, law; did you mean tube?");
 }
 
 // The range of a parameter is not that of its product with the others.

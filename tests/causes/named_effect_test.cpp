@@ -55,6 +55,16 @@ TEST_F(NamedEffects, AreReadForEveryCauseAndSubjectOfTheLibrary) {
   }
 }
 
+TEST_F(NamedEffects, TakeAContactInEitherOrderUnlessTwoJoinItsSegments) {
+  const auto named = [&](const std::string& name) { return effect(name).subject.contact; };
+  EXPECT_EQ(named("seized_contact[M-1-T-2-F,T2-T1]"), "T1-T2");
+  EXPECT_EQ(named("seized_contact[M-1-P-2-M,T1-a]"), "a-T1");
+  EXPECT_NE(error("seized_contact[M-1-T-2-F,T1-T3]"), "");
+  plan_ = plan_of({"M-Y1+1-Y1-1"});
+  EXPECT_EQ(named("seized_contact[M-Y1+1-Y1-1,T2-T1]"), "T2-T1");
+  EXPECT_EQ(named("seized_contact[M-Y1+1-Y1-1,T1-T2]"), "T1-T2");
+}
+
 TEST_F(NamedEffects, AndTheirParametersAreInTheDocument) {
   const std::string document =
       read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "model.md");

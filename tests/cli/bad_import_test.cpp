@@ -43,8 +43,8 @@ TEST(BadImport, NamesAnOptionThatItCannotTake) {
 
 TEST(BadImport, NamesALabelThatNoReadingCouldHave) {
   expect_refused(plain, {"-o", "readings.csv"},
-                 "routing '': expected a routing such as M-1-T-2-F, in a column of the log or "
-                 "given");
+                 "log.csv:1: the header has no column 'routing': expected a routing such as "
+                 "M-1-T-2-F in each row, or given by --routing");
   expect_refused(
       plain, {"--routing", "TR1", "--held", "3"},
       "held '3': expected nothing (none held), or finger numbers from 1 to 2, each once, such as "
@@ -75,6 +75,21 @@ TEST(BadImport, TellsAllLabelsThatNoReadingCouldHave) {
       "  log.csv:3: column 'run' = '': expected a name or number for the run\n"
       "  log.csv:3: column 'direction' = 'up': expected pull, release, or an empty cell\n"
       "  log.csv:4: column 'T5_N': the routing 'TR1' has no segment T5: expected an empty cell");
+}
+
+TEST(BadImport, TellsAllThatAnUnmappedLogLacksAndTheWayToAMapping) {
+  expect_refused("Zeit [s];Kraft 1 [N]\n0;6\n1;6\n", {},
+                 "log.csv: 3 faults:\n"
+                 "  log.csv:1: the header has no column of time: expected one of time_s, t_s, t, "
+                 "time, timestamp (seconds), time_ms and t_ms; it has 'Zeit [s]', 'Kraft 1 [N]'; "
+                 "name it with --map 'COLUMN=time_s'; --guess proposes a meaning for "
+                 "each column\n"
+                 "  log.csv:1: the header has no column of tensions: expected motor_tension_N and "
+                 "at least one such as T1_N (strand), Ta_N (motor-side segment) or Th1_N (stretch "
+                 "at the hand), or two without it; name it with --map 'COLUMN=T1_N'; "
+                 "--guess proposes a meaning for each column\n"
+                 "  log.csv:1: the header has no column 'routing': expected a routing such as "
+                 "M-1-T-2-F in each row, or given by --routing");
 }
 
 TEST(BadImport, TellsAllFaultsOfALog) {

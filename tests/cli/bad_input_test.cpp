@@ -186,7 +186,7 @@ TEST(BadExploreOption, IsNamedWithItsValueAndWhatWasExpected) {
       {"explore --out out --draws 0", "--draws: Value 0 not in range 1 to 100000"},
       {"explore --out out --seed 1.5", "--seed = 1.5"},
       {"explore --out out --grasps 9", "'9': " + held},
-      {"explore --out out --grasps some", "'some': " + held},
+      {"explore --out out --grasps some", "'some': expected single, all, paper, or held fingers"},
       {"explore --out out --grasps 1:0",
        "grasps '1:0': '1:0': expected a held list and a weight from 1e-6 to 1e6"},
       {"explore --out out --fingers 20 --grasps all",
@@ -328,6 +328,22 @@ TEST(UnknownWords, AreHeldAgainstTheKnownOnes) {
 TEST(UnknownNames, AreHeldAgainstTheKnownOnes) {
   expect_all_bad({
       {"explore --objectives unifromity", "; did you mean uniformity?"},
+      {"explore --parts fulll",
+       "--parts: fulll not in {paper,full,all,field}; did you mean full? "
+       "See reeve explore --help"},
+      {"explore --ladder sheath", "; did you mean sheaths? See reeve explore --help"},
+      {"show TR1 --format jsn", "; did you mean json? See reeve show --help"},
+      {"show TR1 --direction pul", "; did you mean pull? See reeve show --help"},
+      {"check --family papr", "; did you mean paper?"},
+      {"rank TR1 TR3 --columns nme", "; did you mean name?"},
+      {"size TR1 --vary shaeth_angle=1..2", "; did you mean sheath_angle?"},
+      {"explore --sweep muu=0.1..0.2", "; did you mean mu?"},
+      {"explore --tips tub",
+       "'tub': expected a comma-separated list of tube, bearing; did you "
+       "mean tube?"},
+      {"explore --grasps al",
+       "--grasps 'al': expected single, all, paper, or held fingers such as "
+       "none/1/1,2; did you mean all?"},
       {"simulate --routings TR1 --cause tube_fricton", "; did you mean tube_friction?"},
       {"show LuffTacle", "or a word such as M-1-T-2-F; did you mean LuffTackle?"},
   });

@@ -26,7 +26,10 @@ TEST(BadHardware, IsNamedWithFileLineAndColumn) {
       {"show TR1 --hardware syntax.toml", "syntax.toml:1:6: not valid TOML: "},
       {"show TR1 --hardware contact.toml",
        "contact.toml:1:10: hardware: contact 'a-T9': expected two segments with a contact "
-       "between them in M-1-T-2-F"},
+       "between them, each contact once, in M-1-T-2-F"},
+      {"show TR1 --hardware twice.toml",
+       "twice.toml:3:10: hardware: contact 'T2-T1': expected two segments with a contact between "
+       "them, each contact once, in M-1-T-2-F"},
       {"show TR4 --hardware spool.toml",
        "spool.toml:2:1: hardware: spools 'b': expected a motor-side segment that ends at an M (a P "
        "has no spool) in M-1-P-2-F"},

@@ -49,12 +49,12 @@ TEST(DefaultParts, AnswerInTwoLines) {
   const std::string said =
       testing::reeve({"explore", "--fingers", "2", "--out", folder.path().string()}).out;
   EXPECT_TRUE(has(said,
-                  "\nWithout floating pulleys, fewest sheaths within 2 % of the first: "
+                  "\nWithout floating blocks, fewest sheaths within 2 % of the best: "
                   "M-1b-B-2x: 1 sheath, "))
       << said;
   EXPECT_TRUE(has(said,
                   "; at the hand no moving part, 3 strands\n"
-                  "With floating pulleys, fewest sheaths within 2 % of the first: "
+                  "With floating blocks, fewest sheaths within 2 % of the best: "
                   "M-Y1+1x-Y1-2x: 1 sheath, "))
       << said;
   EXPECT_TRUE(has(said,

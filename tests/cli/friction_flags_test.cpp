@@ -92,9 +92,9 @@ TEST(QuickFriction, IsPrintedOnTheFirstScreenOfAnExploration) {
   EXPECT_TRUE(
       has(result.out,
           "Assumed: tubes mu 0.1 over 180 deg, bearings mu 0.001 over 180 deg, sheaths mu "
-          "0.1 over 90 deg; capstan friction alone\nParts: tips tube, bearing; joins T, B, "
-          "P; ends M, F; anchored tips; up to 1 floating block; any number of tendons; fingers "
-          "alike\n"))
+          "0.1 over 90 deg; only capstan friction\nParts: tips tube, bearing; joins T, B, "
+          "P; ends M, F; anchored tips; up to 1 floating block; any number of tendons; identical "
+          "fingers\n"))
       << result.out;
 }
 
@@ -117,6 +117,7 @@ TEST(BadFriction, IsNamedWithItsOption) {
       {"show TR1 --mu nan", "--mu: Value nan not in range 0 to 10; see reeve show --help"},
       {"show TR1 --tube-mu -1", "--tube-mu: Value -1 not in range 0 to 10"},
       {"rank TR1 TR7 --sheath-mu 11", "--sheath-mu: Value 11 not in range 0 to 10"},
+      {"show TR1 --sheath-bend 180", "--sheath-bend '180': " + angle},
       {"explore --sheath-bend 180grad", "--sheath-bend '180grad': " + angle},
       {"size TR1 --vary tip_angle=1..4 --sheath-bend ''", "--sheath-bend '': " + angle},
       {"show TR1 --sheath-mu 5 --sheath-bend 360deg",

@@ -33,6 +33,16 @@ TEST(SubcommandTexts, AreAllOfTheHelp) {
   ASSERT_NE(find(texts, "export"), nullptr);
 }
 
+TEST(SubcommandTexts, AreOneLineOfAtMostAHundredCharactersForEachOption) {
+  for (const SubcommandText& subcommand : subcommand_texts()) {
+    for (const OptionText& option : subcommand.options) {
+      SCOPED_TRACE(subcommand.name + " --" + option.name);
+      EXPECT_LE(option.meaning.size(), 100U) << option.meaning;
+      EXPECT_FALSE(has(option.meaning, "\n"));
+    }
+  }
+}
+
 TEST(SubcommandTexts, KnowTheValuesThatAnOptionTakesAlone) {
   const std::vector<SubcommandText> texts = subcommand_texts();
   for (const OptionText& option : find(texts, "explore")->options) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/motor_sides.hpp"
+#include "core/notation.hpp"
 #include "tests/support/input_error.hpp"
 
 namespace reeve {
@@ -115,6 +117,40 @@ TEST(Grasp, ReadsTheTravelsOfCarriagesThatItWrites) {
   EXPECT_EQ(to_text(parse_grasps("none@1,-1:2/1", 2, 2)), "none@1,-1:2/1");
 }
 
+// Of M-1-P-2-M+3x-M: the sides b and c of the pulley move as one.
+const MotorEnds ends{1, 0b110, 0b110, 8, 16};
+
+TEST(Grasp, ReadsTheLockedEndsThatItWrites) {
+  for (const std::string text : {"a", "1,a", "2,b,c", "b,c,d@1,0.5"}) {
+    EXPECT_EQ(to_text(parse_grasp(text, 2, 2, ends)), text);
+  }
+  const Grasp grasp = parse_grasp("c,1,e", 2, 1, ends);
+  EXPECT_TRUE(grasp.holds(1));
+  EXPECT_EQ(locked_ends(grasp), (std::vector<std::string>{"b", "c", "e"}));
+  EXPECT_TRUE(grasp.locks(3));
+  EXPECT_FALSE(grasp.locks(4));
+  EXPECT_EQ(locked_words(grasp), ", ends b, c, e locked");
+  EXPECT_EQ(locked_words(hold({1})), "");
+  EXPECT_EQ(to_text(parse_grasps("a:2/1", 2, 1, ends)), "a:2/1");
+  EXPECT_EQ(motor_ends(expand(parse_routing("M-1-P-2-M+3x-M"))), ends);
+  EXPECT_EQ(motor_ends(expand(parse_routing("1-P-2-P-1"))), (MotorEnds{3, 3, 12, 12}));
+  EXPECT_FALSE(treats_fingers_alike(parse_grasps("a/b", 2, 1, ends), 2));
+  EXPECT_FALSE(grasp_named("1,a", 3));
+}
+
+TEST(GraspError, LocksEndsOfTheRoutingAndNotAll) {
+  const auto of_ends = [](const std::string& text, const MotorEnds& given) {
+    return testing::input_error([&] { parse_grasp(text, 2, 1, given); });
+  };
+  EXPECT_EQ(of_ends("f", ends), "held 'f': 'f': expected a motor-side segment from a to e");
+  EXPECT_EQ(of_ends("a,1,a", ends), "held 'a,1,a': a is named twice");
+  EXPECT_EQ(of_ends("a,b,d,e", ends),
+            "held 'a,b,d,e': every end at a motor is locked: expected one that moves");
+  EXPECT_EQ(of_ends("1,a", {}),
+            "held '1,a': 'a': expected no locked end: they are for one routing, or several whose "
+            "ends at motors have the same names");
+}
+
 TEST(GraspError, TravelsOfCarriagesAreOneForEachMotor) {
   const std::string two =
       ": expected 2 travels from -100 to 100, one of each motor's carriage and one at least above "
@@ -158,6 +194,14 @@ TEST(GraspSet, TreatsFingersAlikeIfRenamingThemChangesNothing) {
   EXPECT_FALSE(treats_fingers_alike(paper_grasps(), 2));
   EXPECT_FALSE(treats_fingers_alike(parse_grasps("none/1:2/2", 2), 2));
   EXPECT_FALSE(treats_fingers_alike(parse_grasps("1,2/2,3", 3), 3));
+}
+
+TEST(GraspSet, TreatsMotorsAlikeIfRenamingThemChangesNothing) {
+  EXPECT_TRUE(treats_motors_alike(single_grasps(2)));
+  EXPECT_TRUE(treats_motors_alike(parse_grasps("none@1,1/1@0,2/1@2,0", 2, 2)));
+  EXPECT_FALSE(treats_motors_alike(parse_grasps("none@1,-1", 2, 2)));
+  EXPECT_FALSE(treats_motors_alike(parse_grasps("1@0,2/1@2,0:3", 2, 2)));
+  EXPECT_FALSE(treats_motors_alike(parse_grasps("none@1,1,0/none@1,0,1", 2, 3)));
 }
 
 TEST(GraspSetError, RefusesAGraspThatIsGivenTwice) {

@@ -45,6 +45,25 @@ TEST(HandClosing, EndsOfUnequalSpoolsCloseFingersOfUnequalExcursionsTogether) {
   EXPECT_EQ(closing.closure, 1);
 }
 
+// Finger 2 begins after 5 mm. Finger 1 has closed after 12 mm, and its tendon then blocks the
+// carriage.
+TEST(HandClosing, OfATendonWithSlackBeginsLater) {
+  Hardware hardware = hand_with({12, 12});
+  hardware.tendon = {{}, 40, {{2, {}, 5}}};
+  const HandClosing closing = closing_of("1x-M+2x-M", hardware);
+  EXPECT_DOUBLE_EQ(closing.stroke_mm, 12);
+  EXPECT_DOUBLE_EQ(closing.closed[2], 7.0 / 12);
+  EXPECT_EQ(closing.closed[1], 1);
+  // Both ends take slack in, and slack of all tendons is travel before anything moves.
+  hardware.tendon = {{}, 40, {{1, {}, 3}, {2, {}, 10}}};
+  const HandClosing later = closing_of("1x-M+M-2x", hardware);
+  EXPECT_DOUBLE_EQ(later.stroke_mm, 3 + 12);
+  EXPECT_DOUBLE_EQ(later.closed[2], 5.0 / 12);
+  const HandClosing both = closing_of("1x-M+M-2-M", hardware);
+  EXPECT_DOUBLE_EQ(both.stroke_mm, 3 + 12);
+  EXPECT_DOUBLE_EQ(both.closed[2], 10.0 / 12);
+}
+
 struct ClosedForm {
   const char* word;
   std::vector<double> excursions_mm;

@@ -25,7 +25,7 @@ Jams jams_of(const Network& network) {
   const Mechanics numbers = mechanics(network, Hardware{});
   JamFinder finder;
   Jams jams{finder.grasps(network, numbers), {}};
-  for (const Grasp grasp : finder.smallest(network, numbers)) {
+  for (const Grasp& grasp : finder.smallest(network, numbers)) {
     jams.smallest.push_back(held_fingers(grasp));
   }
   return jams;

@@ -177,11 +177,11 @@ TEST(Kinematics, ALoopTurnsAboutTheContactWithTheMostFriction) {
 
 void expect_conserved(const Network& network, const TendonSpan& tendon, const Motion& moved) {
   for (std::size_t i = 0; i < tendon.segments; ++i) {
-    const bool ends = !tendon.closed && i + 1 == tendon.segments;
-    const bool begins = !tendon.closed && i == 0;
+    const bool is_last = !tendon.closed && i + 1 == tendon.segments;
+    const bool is_first = !tendon.closed && i == 0;
     const std::size_t before = i == 0 ? tendon.contacts - 1 : i - 1;
-    const double out = ends ? 0 : moved.slip[tendon.first_contact + i];
-    const double in = begins ? 0 : moved.slip[tendon.first_contact + before];
+    const double out = is_last ? 0 : moved.slip[tendon.first_contact + i];
+    const double in = is_first ? 0 : moved.slip[tendon.first_contact + before];
     EXPECT_NEAR(moved.imposed[tendon.first_segment + i] + out - in, 0, 1e-9)
         << segment_name(network.segments[tendon.first_segment + i]);
   }

@@ -41,7 +41,8 @@ TEST(NearestName, IsFoundThoughLettersAreMissingDoubledOrExchanged) {
 
 TEST(NearestName, MayBeginWithTheWord) {
   EXPECT_EQ(nearest_name("obj", {"top", "objectives"}), "objectives");
-  EXPECT_EQ(nearest_name("ob", {"objectives"}), std::nullopt);
+  EXPECT_EQ(nearest_name("ob", {"objectives"}), "objectives");
+  EXPECT_EQ(nearest_name("o", {"objectives"}), std::nullopt);
 }
 
 TEST(NearestName, IsNoneIfTooMuchWouldHaveToChange) {

@@ -164,7 +164,8 @@ TEST(NotationError, SuffixesOfBlocksAndBars) {
             at("M-Y1b", 3, "'Y1b': expected behind the block number nothing, or k for a becket"));
   EXPECT_EQ(message("M-Y1/2:1+1x-Y1-2x"),
             at("M-Y1/2:1+1x-Y1-2x", 3,
-               "'Y1/2:1': expected behind the block number nothing, or k for a becket"));
+               "'Y1/2:1': expected Y1 alone: a wrap angle belongs to a finger, T, B, P or a block "
+               "inside a walk"));
   EXPECT_EQ(message("M-W1+1x-W1-2x+W1k-3x"),
             at("M-W1+1x-W1-2x+W1k-3x", 15,
                "'W1k': a bar has no becket; its two arms are its neighbours inside a walk, as in "
@@ -191,8 +192,11 @@ TEST(NotationError, AnchoredTipsAndBecketsStandAtEnds) {
 }
 
 TEST(NotationError, ABarHasTwoArms) {
-  EXPECT_EQ(message("M-W1+1x-W1-2x+3x-W1-F"),
-            at("M-W1+1x-W1-2x+3x-W1-F", 18, "'W1' stands inside walks twice; a bar has two arms"));
+  const std::string why =
+      ": a rigid bar balances one force and one moment, which leave the tensions of three ties "
+      "undetermined; two bars determine them, as in 1x-W1-2x+W1-W2/2:1-3x+W2-M";
+  EXPECT_EQ(message("M-W1+1x-W1-2x+3x-W1-F"), at("M-W1+1x-W1-2x+3x-W1-F", 18, "'W1'" + why));
+  EXPECT_EQ(message("M-W1+1x-W1/1:1:1-2x"), at("M-W1+1x-W1/1:1:1-2x", 9, "'W1/1:1:1'" + why));
   EXPECT_EQ(message("M-W1+1-W1/2:1-1"),
             at("M-W1+1-W1/2:1-1", 8,
                "'W1/2:1': a loop that is tied to both arms of a bar needs equal arms"));

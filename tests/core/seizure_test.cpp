@@ -10,6 +10,7 @@
 #include <string>
 #include <tuple>
 
+#include "core/contact_name.hpp"
 #include "core/notation.hpp"
 #include "core/performance.hpp"
 #include "tests/support/random_routing.hpp"
@@ -71,18 +72,6 @@ Seized seized(const std::string& word, const std::vector<std::string>& contacts,
   return result;
 }
 
-TEST(SeizedContact, HasTheNamesOfTheSegmentsBesideItInTheOrderOfTheWalk) {
-  const Network tr1 = expand(parse_routing("M-1-T-2-F"));
-  EXPECT_EQ(contact_name(tr1, 0), "a-T1");
-  EXPECT_EQ(contact_name(tr1, 3), "T3-T4");
-  const Network tr7 = expand(parse_routing("1-P-2-P-1"));
-  for (std::size_t k = 0; k < tr7.contacts.size(); ++k) {
-    EXPECT_EQ(find_contact(tr7, contact_name(tr7, k)), k);
-  }
-  EXPECT_EQ(find_contact(tr1, "T1-a"), std::nullopt);
-  EXPECT_EQ(find_contact(tr1, "T1"), std::nullopt);
-}
-
 TEST(SeizedTr1, InItsSheathBlocksTheCarriage) {
   const Seized s = seized("M-1-T-2-F", {"a-T1"});
   EXPECT_TRUE(s.state.jams);
@@ -105,7 +94,7 @@ TEST(SeizedEndSheath, BlocksTheReleasedCarriageToo) {
 
 // The motor closes finger 1 by its one strand, and so twice as far; the rest goes slack.
 TEST(SeizedTr1, InTheFirstTipPullsOneStrandAlone) {
-  for (const Grasp grasp : {Grasp{}, hold({2})}) {
+  for (const Grasp& grasp : {Grasp{}, hold({2})}) {
     const Seized s = seized("M-1-T-2-F", {"T1-T2"}, grasp);
     EXPECT_FALSE(s.state.jams);
     EXPECT_NEAR(s["T1"], sheath, tolerance);
@@ -191,7 +180,7 @@ TEST(SeizedTr7, InATipWithTheOtherFingerHeldSlidesToBothSides) {
 
 // TR6 opened at the join of the fingers is F-1-P-2-F written from its middle: TR3.
 TEST(SeizedTr6, InTheJoinIsTr3) {
-  for (const Grasp grasp : {Grasp{}, hold({1}), hold({2})}) {
+  for (const Grasp& grasp : {Grasp{}, hold({1}), hold({2})}) {
     const Seized s = seized("1-T-2-P-1", {"T2-T3"}, grasp);
     const Network tr3 = expand(parse_routing("F-1-P-2-F"));
     const TensionState expected = tensions(tr3, mechanics(tr3, {}), grasp);

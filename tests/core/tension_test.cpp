@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/notation.hpp"
+#include "core/part_prices.hpp"
 #include "core/performance.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/random_routing.hpp"
@@ -219,7 +220,7 @@ TEST(Tension, FallsAtEveryContactHoweverManyThereAre) {
       hardware.tube.mu = mu;
       const Friction f = exponents(hardware);
       const double expected = exp(-f.s - (2 * fingers - 1) * f.t);
-      for (const Grasp grasp : {Grasp{}, hold({fingers})}) {
+      for (const Grasp& grasp : {Grasp{}, hold({fingers})}) {
         const Solved found(tendon_through_all(fingers), hardware, grasp);
         const double last = found["T" + std::to_string(2 * fingers)];
         EXPECT_NEAR(last, expected, 1e-9 * expected) << fingers << " fingers, mu_t " << mu;
@@ -307,6 +308,113 @@ TEST(UnequalSpools, TieNoPulleyOfTheCarriage) {
             static_cast<double>(network.segments.size()) + 2);
 }
 
+// ---- locked ends ----
+
+// Its motor side a stands still: the tendon is a fixed end there, which no motor pulls.
+TEST(LockedEnds, AreFixedEndsWhoseTensionNoMotorGives) {
+  const double s = exp(-0.18 * 2 * pi);
+  const double t = exp(-0.18 * pi);
+  Grasp grasp;
+  grasp.locked = 1;
+  const Solved solved("M-1-T-2-M", Hardware{}, grasp);
+  const Solved fixed("F-1-T-2-M", Hardware{}, Grasp{});
+  for (const char* strand : {"T1", "T2", "T3", "T4"}) {
+    EXPECT_DOUBLE_EQ(solved[strand], fixed[strand]) << strand;
+  }
+  EXPECT_DOUBLE_EQ(solved["b"], 1);
+  EXPECT_DOUBLE_EQ(solved["T1"], s * t * t * t);
+  // Nothing slides at its sheath, at the far end of which the segment is as long as T1.
+  EXPECT_EQ(solved.state().slip[0], 0);
+  EXPECT_GT(solved["a"], 0);
+  EXPECT_EQ(solved.state().closing, (std::vector<double>{0.25, 0.25}));
+  EXPECT_EQ(solved.state().motor_work, 1);
+  const Network network = expand(parse_routing("M-1-T-2-M"));
+  EXPECT_LT(performance(network, solved.state()).efficiency, 1);
+}
+
+TEST(LockedEnds, LeaveATendonThatNothingElsePullsSlack) {
+  Grasp grasp = hold({2});
+  grasp.locked = 2;
+  const Solved solved("1x-M+2x-M", Hardware{}, grasp);
+  EXPECT_FALSE(solved.state().jams);
+  EXPECT_EQ(solved["a"], 1);
+  EXPECT_EQ(solved["b"], 0);
+  EXPECT_EQ(solved["T3"], 0);
+  EXPECT_EQ(solved.state().closing, (std::vector<double>{1, 0}));
+}
+
+// ---- springs and slack between motor and tendon ----
+
+Hardware with_tendons(std::vector<TendonHardware> own) {
+  Hardware hardware;
+  hardware.tendon = {2000, 40, std::move(own)};
+  return hardware;
+}
+
+// Compliances Σ t_i L_i / EA + t_end / k of a tendon of two segments of 100 mm.
+TEST(SpringsInSeries, ShareACarriageByTheComplianceOfTheTendons) {
+  const double r = exp(-0.18 * 2 * pi);
+  const double plain = (1 + r) * 100 / 2000;
+  const double sprung = plain + 1 / 5.0;
+  const Solved closing("1x-M+2x-M", with_tendons({{1, 5, {}}}), Grasp{});
+  EXPECT_DOUBLE_EQ(closing["a"], plain / (plain + sprung));
+  EXPECT_DOUBLE_EQ(closing["b"], sprung / (plain + sprung));
+  EXPECT_DOUBLE_EQ(closing["T1"], closing["a"] * r);
+  // Jammed, nothing slides at the sheaths at order one, and the motor sides stretch first.
+  const Solved jammed("1x-M+2x-M", with_tendons({{1, 5, {}}, {2, 20, {}}}), hold({1, 2}));
+  const double first = plain + 1 / 5.0;
+  const double second = plain + 1 / 20.0;
+  EXPECT_DOUBLE_EQ(jammed["a"], second / (first + second));
+  EXPECT_DOUBLE_EQ(jammed["b"], first / (first + second));
+}
+
+TEST(SpringsInSeries, AreNoTendonToPayFor) {
+  const Network network = expand(parse_routing("1x-M+2x-M"));
+  const Mechanics sprung = mechanics(network, with_tendons({{1, 5, {}}}));
+  EXPECT_EQ(sprung.length, (std::vector<double>{100, 500, 100, 100}));
+  EXPECT_DOUBLE_EQ(tendon_length(sprung), 400);
+}
+
+TEST(Slack, DelaysATendonAndLeavesItLessOfTheCarriage) {
+  // Behind 10 of 40 mm it has taken up three quarters of what the other has.
+  const Solved solved("1x-M+2x-M", with_tendons({{2, {}, 10}}), Grasp{});
+  EXPECT_DOUBLE_EQ(solved["a"], 4.0 / 7);
+  EXPECT_DOUBLE_EQ(solved["b"], 3.0 / 7);
+  EXPECT_EQ(solved.state().closing, (std::vector<double>{1, 1}));
+  // Both of its ends take slack in.
+  const Solved both("1x-M+M-2-M", with_tendons({{2, {}, 10}}), Grasp{});
+  const Solved none("1x-M+M-2-M", Hardware{}, Grasp{});
+  EXPECT_DOUBLE_EQ(both["b"] / both["a"], 7.0 / 8 * none["b"] / none["a"]);
+}
+
+TEST(Slack, LeavesATendonWithoutTensionUntilItIsTakenIn) {
+  for (const double slack_mm : {40.0, 50.0}) {
+    const Solved solved("1x-M+2x-M", with_tendons({{2, {}, slack_mm}}), hold({2}));
+    EXPECT_FALSE(solved.state().jams);
+    EXPECT_EQ(solved["a"], 1);
+    EXPECT_EQ(solved["b"], 0);
+    EXPECT_EQ(solved.state().closing, (std::vector<double>{1, 0}));
+    EXPECT_EQ(solved.state().slip, (std::vector<double>{solved.state().slip[0], 0}));
+  }
+  EXPECT_TRUE(Solved("1x-M+2x-M", with_tendons({{2, {}, 39}}), hold({2})).state().jams);
+}
+
+TEST(SpringsInSeries, AreOfATendonWithOneEndAtAMotorAndSlackOfOneWithoutBlocks) {
+  const auto unmatched = [](const std::string& word, const TendonHardware& own) {
+    return MechanicsBuilder(with_tendons({own})).unmatched_tendons(expand(parse_routing(word)));
+  };
+  const std::vector<std::string> first{"1"};
+  for (const char* word : {"M-1-F", "1x-M", "M-1-P-2-F", "M-Y1+1x-Y1-2x"}) {
+    EXPECT_EQ(unmatched(word, {1, 5, {}}), std::vector<std::string>{}) << word;
+  }
+  for (const char* word : {"M-1-M", "1-P-2-P-1", "F-1-P-2-F", "1x-P-2x"}) {
+    EXPECT_EQ(unmatched(word, {1, 5, {}}), first) << word;
+    EXPECT_EQ(unmatched(word, {1, {}, 5}), std::vector<std::string>{}) << word;
+  }
+  EXPECT_EQ(unmatched("M-Y1+1x-Y1-2x", {1, {}, 5}), first);
+  EXPECT_EQ(unmatched("M-1-F", {2, {}, 5}), std::vector<std::string>{"2"});
+}
+
 // ---- several motors ----
 
 Grasp carriages(std::array<double, 2> travel, Grasp grasp = {}) {
@@ -348,7 +456,7 @@ TEST(SeveralMotors, ATendonWhoseCarriageStandsStillCarriesNothingAndDoesNotJam) 
 TEST(SeveralMotors, ThatPullAgainstEachOtherTurnTheTendonThroughAllContacts) {
   const double s = exp(-0.18 * 2 * pi);
   const double b = exp(-0.001 * pi);
-  for (const Grasp grasp : {Grasp{}, hold({1})}) {
+  for (const Grasp& grasp : {Grasp{}, hold({1})}) {
     const Solved solved("M-1b-M2", Hardware{}, carriages({1, -1}, grasp));
     EXPECT_FALSE(solved.state().jams);
     const double a = 1 / (1 + s * b * s);
@@ -404,9 +512,9 @@ TEST(TensionSolver, ForgetsTheNetworkBefore) {
 
 const std::string no_motor_tension =
     "held none: the motor tension cannot be computed: a tendon hangs on no motor, blocks are free to "
-    "move against each other, a finger would have to open, ends at motors travel unlike each "
-    "other beside a seized contact, or friction is so strong that tensions "
-    "fall out of range";
+    "move against each other, a finger would have to open, all tendons are slack, ends at motors "
+    "travel unlike each other beside a seized contact, or friction is so strong that tensions fall "
+    "out of range";
 
 TEST(TensionSolver, NeedsAMotor) {
   EXPECT_EQ(testing::out_of_range([] { Solved("F-1-F", Hardware{}, Grasp{}); }), no_motor_tension);

@@ -67,7 +67,7 @@ TEST(TreeTension, MatchesTR7WithASingleSheath) {
         Printed{"M-Y1+F-1-Y1-2-F", 0.567, 0.253}}) {
     double uniformity = 0;
     double efficiency = 0;
-    for (const Grasp grasp : {Grasp{}, hold({1}), hold({2})}) {
+    for (const Grasp& grasp : {Grasp{}, hold({1}), hold({2})}) {
       const SolvedTree s(reference.word, grasp);
       EXPECT_NEAR(s.performance.uniformity, reference.uniformity, 0.003) << reference.word;
       uniformity += s.performance.uniformity / 3;
@@ -175,7 +175,7 @@ TEST(TreeTension, BranchesOfOneBlockCloseAsEvenlyAsTheyCan) {
 }
 
 TEST(TreeTension, ABarSharesByItsArmsWhateverIsHeld) {
-  for (const Grasp grasp : {Grasp{}, hold({1}), hold({2})}) {
+  for (const Grasp& grasp : {Grasp{}, hold({1}), hold({2})}) {
     const SolvedTree s("M-W1+1x-W1/2:1-2x", grasp);
     const double pivot = exp(-0.36 * pi);
     EXPECT_NEAR(s["T1"], pivot * 2 / 3, rounding_error);
@@ -196,7 +196,7 @@ TEST(TreeTension, BarsInARowMultiplyTheirRatios) {
 }
 
 TEST(TreeTension, ABarInsideATendonLosesNoWork) {
-  for (const Grasp grasp : {Grasp{}, hold({1}), hold({2}), hold({3})}) {
+  for (const Grasp& grasp : {Grasp{}, hold({1}), hold({2}), hold({3})}) {
     const SolvedTree s("M-W1+1x-B-W1/2:5-2-T-3-F", grasp, without_friction());
     EXPECT_NEAR(s["T1"] / s["T3"], 0.4, rounding_error);
     EXPECT_NEAR(s.performance.efficiency, 1, rounding_error);

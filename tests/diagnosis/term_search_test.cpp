@@ -10,8 +10,11 @@
 #include <functional>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "causes/term.hpp"
+#include "core/error.hpp"
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/fit/evidence.hpp"
 #include "diagnosis/search/levers.hpp"
@@ -53,8 +56,10 @@ std::string readings(const Factor& factor) {
   return text;
 }
 
-DiagnosisResult diagnosed(const std::string& text, int threads = 1) {
+DiagnosisResult diagnosed(const std::string& text, int threads = 1,
+                          std::vector<Effect> terms = {}) {
   DiagnoseOptions options;
+  options.terms = std::move(terms);
   options.threads = threads;
   return diagnose(read_data(text), {}, options);
 }
@@ -83,6 +88,33 @@ TEST(TermSearch, FindsTheSiteTheCovariateAndTheSizeOfALaw) {
 }
 
 // A sensor reads less where it is moist. Each step is between two of 72 humidities.
+// The gain of T3 in the grammar, from a wrong value and a wrong crossing on.
+Effect suspected_gain(const std::string& column) {
+  Term term;
+  term.target = causes::Target::gain;
+  term.site.place = causes::SitePlace::channel;
+  term.site.channel = parse_segment("T3");
+  term.form = causes::Form::linear;
+  term.x = causes::covariate_named(column);
+  term.x.middle = 5;
+  term.x.seen = {4.5, 5.5};
+  return {&law(term), {}, {0.001}};
+}
+
+TEST(TermSearch, FindsAWeakLawThatTheUserNames) {
+  const std::string text = readings(
+      [](const Row& row, int strand) { return strand == 2 ? 1 + 0.0165 * (row.supply_V - 5) : 1; });
+  EXPECT_TRUE(diagnosed(text).causes.empty());
+  const DiagnosisResult result = diagnosed(text, 1, {suspected_gain("supply_V")});
+  ASSERT_EQ(result.causes.size(), 1U);
+  EXPECT_EQ(result.causes.front().name, "law[gain of T3, supply_V, linear]");
+  EXPECT_NEAR(result.causes.front().effect.values.front(), 0.0165, 0.01);
+}
+
+TEST(TermSearch, RefusesATermOfAColumnThatTheReadingsLack) {
+  EXPECT_THROW(diagnosed(readings(as_supplied), 1, {suspected_gain("supply_mV")}), InputError);
+}
+
 TEST(TermSearch, FindsTheValueAtWhichAStepIs) {
   for (const double at : {47.0, 53.0, 61.3}) {
     const DiagnosisResult result = diagnosed(readings([&](const Row& row, int strand) {

@@ -163,7 +163,7 @@ TEST(FloatingSchematic, SaysWhichPartsAreDrawn) {
 TEST(FloatingSchematic, IsTheSameFromPlacesThatGraspsShare) {
   const Network network = expand(parse_routing("M-Y1+Y2-Y1-Y3+1x-Y2-2x+3x-Y3-4b-M"));
   const Places shared = places(network);
-  for (const Grasp grasp : {Grasp{}, hold({2}), hold({1, 4})}) {
+  for (const Grasp& grasp : {Grasp{}, hold({2}), hold({1, 4})}) {
     const TensionState state = tensions(network, mechanics(network, {}), grasp);
     const GraspView view{grasp, Direction::pull, state};
     EXPECT_EQ(schematic_svg(schematic(network, shared, "shared", view)),

@@ -35,7 +35,8 @@ TEST(KeysOfATarget, AreThePromisedOnes) {
   EXPECT_EQ(keys(json["target"]), "target_shares grasps partial by_statics designs");
   EXPECT_EQ(keys(json["target"]["designs"][0]),
             "routing name met by_statics hangs_on_friction miss_without_friction miss_before miss "
-            "shares shares_at_half_friction shares_at_one_and_a_half_friction motor hardware");
+            "shares shares_at_half_friction shares_at_one_and_a_half_friction "
+            "miss_with_unlike_contacts shares_with_unlike_contacts motor hardware");
   EXPECT_EQ(json["settings"]["target_shares"], json["target"]["target_shares"]);
 }
 
@@ -69,8 +70,8 @@ TEST(KeysOfAShard, AreThePromisedOnes) {
   const Json json = Json::parse(read_text(folder.path() / "shard.json"));
   EXPECT_EQ(
       keys(json),
-      "exploration whole shard partial arguments total generated evaluated unconverged seconds "
-      "constraint_failures reaches known kept equals_left_out ladder sample settings version "
+      "exploration whole shard partial arguments total generated evaluated "
+      "without_tensions unconverged seconds constraint_failures reaches known kept equals_left_out ladder sample settings version "
       "digest");
   EXPECT_EQ(keys(json["reaches"][0]), "met_by_any nearest nearest_with_the_others_met");
   EXPECT_EQ(keys(json["reaches"][0]["nearest"]), "below above");

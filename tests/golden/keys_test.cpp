@@ -38,11 +38,12 @@ TEST(KeysOfShow, AddAHandWhereTheHardwareHasOne) {
   EXPECT_EQ(keys(hand["grasps"][0]), "held motor_force_N frictionless_N weakest fingers");
   EXPECT_EQ(keys(hand["grasps"][0]["fingers"][0]),
             "finger pull_per_motor force_per_motor asks_motor_N force_N joint force_at_limit_N");
-  EXPECT_EQ(keys(hand["motor"]),
-            "force_N frictionless_N friction_cost weakest stroke_mm closure speed_mm_s power_W "
-            "work_J springs_J friction_J fingers_J torque_Nm spool_rpm drawn "
-            "stroke_is_enough force_reach stroke_reach");
-  EXPECT_EQ(keys(hand["motor"]["drawn"]), "nominal_N p95_N draws seed is_enough");
+  EXPECT_EQ(
+      keys(hand["motor"]),
+      "force_N frictionless_N friction_cost weakest stroke_mm closure speed_mm_s power_W "
+      "work_J springs_J friction_J fingers_J torque_Nm spool_rpm drawn force_reach stroke_reach");
+  EXPECT_EQ(keys(hand["motor"]["drawn"]),
+            "nominal_N p95_N draws seed is_enough stroke_mm stroke_is_enough");
   EXPECT_EQ(keys(hand["motor"]["force_reach"]), "motor_N share_of_wanted weakest");
   EXPECT_EQ(keys(hand["motor"]["force_reach"]["weakest"]), "finger joint held force_N");
   EXPECT_EQ(keys(hand["motor"]["stroke_reach"]), "stroke_mm closure closed");
@@ -71,6 +72,13 @@ TEST(KeysOfShow, HaveNullWhereNoMotorForceIsEnough) {
   EXPECT_TRUE(hand["grasps"][1]["fingers"][1]["joint"].is_null());
   EXPECT_TRUE(hand["motor"]["drawn"]["nominal_N"].is_null());
   EXPECT_EQ(hand["motor"]["drawn"]["is_enough"], false);
+}
+
+TEST(KeysOfShow, AddAWrapAngleWhereTheWordGivesIt) {
+  const Json contacts = json_of({"show", "M-1-T/90-2-F"})["grasps"][0]["contacts"];
+  EXPECT_EQ(keys(contacts[1]), "between kind slides");
+  EXPECT_EQ(keys(contacts[2]), "between kind slides angle_deg");
+  EXPECT_EQ(contacts[2]["angle_deg"], 90);
 }
 
 TEST(KeysOfShow, AddPricesWhereTheyAreGiven) {

@@ -63,9 +63,10 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
       "held_out_runs dropped_duplicates thinned_rows calibration notes seconds settings "
       "version result_id");
   const Json& cause = json["causes"][0];
-  EXPECT_EQ(keys(cause),
-            "name meaning detail explained parameters held_out p_value evidence probability folds "
-            "runner_up partial_residuals");
+  EXPECT_EQ(
+      keys(cause),
+      "name meaning detail explained parameters held_out only_run p_value evidence probability folds "
+      "runner_up partial_residuals");
   EXPECT_EQ(keys(cause["parameters"][0]), "name value low high nominal unit at_bound literature");
   EXPECT_EQ(keys(cause["held_out"]), held_out_keys);
   EXPECT_TRUE(cause["runner_up"].is_null());
@@ -89,7 +90,7 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
             "name parameter value low high at_bound hardware p_value differs");
   EXPECT_EQ(keys(json["ranking"]), "changes before after");
   EXPECT_EQ(keys(json["calibration"]), "replicates family_wise_alpha p_value structure_p_value");
-  EXPECT_EQ(keys(json["settings"]), "data alpha hold_out seed explore hardware");
+  EXPECT_EQ(keys(json["settings"]), "data alpha hold_out seed explore hardware terms");
 }
 
 TEST(KeysOfDiagnose, OfReadingsThatArePublishedAreThePromisedOnes) {

@@ -225,7 +225,8 @@ TEST(Version, TellsProgramsWithOtherChangesApart) {
 
 TEST(Help, MentionsEveryOption) {
   const Arguments generator(
-      "--fingers --parts --tips --joins --ends --anchored --blocks --distinct-fingers");
+      "--fingers --parts --tips --joins --ends --anchored --blocks --beside-ends --motors "
+      "--distinct-fingers");
   const Arguments ranking(
       "--grasps --objectives --score --uncertainty --draws --seed --threads --hardware "
       "--model --format --ladder --within --cost --sweep --columns --text-width");
@@ -247,7 +248,7 @@ TEST(Help, MentionsEveryOption) {
       {"diagnose",
        {"data", "--hardware", "--alpha", "--hold-out", "--seed", "--replicates", "--threads",
         "--explore", "--out", "--save-model", "--map", "--unit", "--group", "--mounting-scatter",
-        "--as-readings", "--noise", "--exact", "--format"}},
+        "--as-readings", "--noise", "--exact", "--terms", "--format"}},
       {"simulate",
        {"--routings",       "--grasps",      "--directions",  "--channels",     "--motor-tension",
         "--speed",          "--cycles",      "--temperature", "--sheath-angle", "--noise-relative",

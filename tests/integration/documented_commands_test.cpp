@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/rig_log.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -83,6 +85,14 @@ void expect_page_in_out_folder(const std::string& command, const fs::path& folde
   EXPECT_TRUE(fs::exists(folder / out / "index.html")) << command;
 }
 
+// A log for the page that imports the reader's own.
+void write_log(const fs::path& file) {
+  RigRun run;
+  run.strands = {{0.9, 0.9}, {0.7, 0.7}, {0.6, 0.6}, {0.5, 0.5}};
+  const std::vector<RigRun> runs{run};
+  std::ofstream(file) << rig_csv(rig_log({}, runs), runs);
+}
+
 class DocumentedCommands : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(DocumentedCommands, RunAsTheyStandOnThePage) {
@@ -90,6 +100,7 @@ TEST_P(DocumentedCommands, RunAsTheyStandOnThePage) {
   const fs::path source = REEVE_SOURCE_DIR;
   fs::create_directory_symlink(source / "catalog", folder.path() / "catalog");
   fs::create_directory(folder.path() / "out");
+  write_log(folder.path() / "rig.csv");
   const std::vector<DocumentedCommand> commands = documented_commands(source / GetParam());
   ASSERT_FALSE(commands.empty());
   for (const DocumentedCommand& documented : commands) {
@@ -99,13 +110,43 @@ TEST_P(DocumentedCommands, RunAsTheyStandOnThePage) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, DocumentedCommands,
-                         ::testing::Values("README.md", "docs/constraints.md", "docs/decision.md",
-                                           "docs/glove.md", "docs/hand.md", "docs/projects.md",
-                                           "docs/sizing.md", "docs/tr7.md", "docs/uncertainty.md"),
+                         ::testing::Values("README.md", "docs/catalogue.md", "docs/constraints.md",
+                                           "docs/data.md", "docs/decision.md", "docs/diagnosis.md",
+                                           "docs/glove.md", "docs/hand.md", "docs/logger.md",
+                                           "docs/mujoco.md", "docs/pages.md", "docs/projects.md",
+                                           "docs/simulate.md", "docs/sizing.md", "docs/store.md",
+                                           "docs/tables.md", "docs/tr7.md", "docs/uncertainty.md"),
                          [](const auto& page) {
                            const std::string name = fs::path(page.param).stem().string();
                            return name == "README" ? std::string("readme") : name;
                          });
+
+// Returns the first block of code that begins with this line.
+std::string block_of_code(const fs::path& page, const std::string& first) {
+  std::istringstream in(read_text(page));
+  std::string block;
+  for (std::string line; std::getline(in, line);) {
+    const bool is_code = line.starts_with("    ");
+    if (block.empty() ? line == "    " + first : is_code) {
+      block += line + "\n";
+    } else if (!block.empty()) {
+      break;
+    }
+  }
+  return block;
+}
+
+TEST(DocumentedScripts, ExploresShardsAndMergesThem) {
+  const TemporaryFolder folder;
+  const std::string script =
+      block_of_code(fs::path(REEVE_SOURCE_DIR) / "docs" / "scale.md", "for i in 1 2 3 4; do");
+  const std::string program = fs::path(REEVE_EXECUTABLE).parent_path().string();
+  ProcessOptions options{.directory = folder.path()};
+  const ProcessResult result = run_process(
+      {"/bin/sh", "-c", "PATH=" + program + ":$PATH\nmkdir shards out\n" + script}, options);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(fs::exists(folder.path() / "out" / "seven" / "index.html"));
+}
 
 }  // namespace
 }  // namespace reeve::testing

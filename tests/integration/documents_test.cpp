@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <iterator>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "tests/integration/explored.hpp"
+#include "tests/support/has.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -258,6 +260,35 @@ TEST(TheOptionsDocument, NamesEverySubcommandAndEveryOption) {
           << subcommand << ' ' << option;
     }
   }
+}
+
+std::size_t words_in(const fs::path& page) {
+  std::istringstream in(read_text(page));
+  return static_cast<std::size_t>(
+      std::distance(std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()));
+}
+
+TEST(DocumentLengths, StayWithinWhatAReaderReads) {
+  const fs::path root = REEVE_SOURCE_DIR;
+  EXPECT_LE(words_in(root / "README.md"), 1200U);
+  EXPECT_LE(words_in(root / "CHANGELOG.md"), 300U);
+  EXPECT_LE(words_in(root / "docs" / "performance.md"), 800U);
+  EXPECT_LE(words_in(root / "docs" / "diagnosis.md"), 2500U);
+  std::size_t all = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(root / "docs")) {
+    if (entry.path().extension() == ".md") all += words_in(entry.path());
+  }
+  EXPECT_LE(all, 25000U);
+}
+
+TEST(TheCitation, AndTheChangelogAreOfThisVersion) {
+  std::smatch version;
+  const std::string told = reeve({"--version"}).out;
+  ASSERT_TRUE(std::regex_search(told, version, std::regex(R"(\d+\.\d+\.\d+)")));
+  const fs::path root = REEVE_SOURCE_DIR;
+  EXPECT_TRUE(has(read_text(root / "CITATION.cff"), "\nversion: " + version.str() + "\n"));
+  EXPECT_TRUE(std::regex_search(read_text(root / "CHANGELOG.md"),
+                                std::regex("\n## " + version.str() + R"( \(\d{4}-\d\d-\d\d\))")));
 }
 
 }  // namespace

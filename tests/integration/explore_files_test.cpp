@@ -170,5 +170,35 @@ TEST(Count, SaysTreesWhereBlocksTieTendonsTogether) {
   EXPECT_TRUE(has(reeve("count --parts full").out, "every tendon actuated"));
 }
 
+// The user asked for a set of routings: those that cannot be solved are no error, as one that the
+// user names is.
+TEST(ExploreWithoutTensions, GoesOnAndSaysHowManyAndWhy) {
+  const Explored explored("--motors 2 --grasps none@1,-1 --tips tube");
+  EXPECT_EQ(explored.result.exit_code, 0) << explored.result.err;
+  const Json summary = explored.summary();
+  const auto count = summary["rejected"]["no tensions"].get<std::uint64_t>();
+  EXPECT_EQ(summary["generated"].get<std::uint64_t>(),
+            summary["rejected"]["not actuated"].get<std::uint64_t>() + count +
+                summary["ranked"].get<std::uint64_t>());
+  EXPECT_TRUE(has(explored.result.out, " " + std::to_string(count) + " without tensions, "));
+  EXPECT_TRUE(has(explored.result.out, "Note: " + std::to_string(count) +
+                                           " designs left out for want of tensions in a grasp, "
+                                           "such as routing 'M-1-P2-2-F'"))
+      << explored.result.out;
+  EXPECT_TRUE(has(explored.file("index.html"),
+                  std::to_string(count) + ": no tensions in one of the grasps."));
+  const ProcessResult named = reeve({"rank", "M-1-P2-2-F", "--grasps", "none@1,-1"});
+  EXPECT_EQ(named.exit_code, 2);
+}
+
+TEST(ExploreWithoutTensions, SaysSoIfNoneIsLeft) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("h.toml", "[contact.\"T1-T2\"]\nmu = 9\n").string();
+  const Explored explored({"--fingers", "1", "--parts", "paper", "--hardware", file});
+  EXPECT_EQ(explored.result.exit_code, 1) << explored.result.err;
+  EXPECT_TRUE(has(explored.result.out, "No design has tensions in all grasps"))
+      << explored.result.out;
+}
+
 }  // namespace
 }  // namespace reeve::testing

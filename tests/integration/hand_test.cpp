@@ -74,7 +74,7 @@ TEST(HandOfTheCommands, ThatPressesNothingAsksForNoForceAndNamesNoFinger) {
   const ProcessResult shown = reeve({"show", "TR7", "--hardware", idle});
   EXPECT_EQ(shown.exit_code, 0) << shown.err;
   EXPECT_TRUE(has(shown.out, "Motor force 0 N: no finger is to press"));
-  EXPECT_FALSE(has(shown.out, "asks for it"));
+  EXPECT_FALSE(has(shown.out, "sets it, at"));
 }
 
 // Each line of the section, in the document behind four spaces.

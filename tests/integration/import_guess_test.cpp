@@ -75,9 +75,9 @@ TEST(ImportGuess, ProposesACommandThatImportsAGermanLog) {
       reeve({"import", "Messung 1.csv", "--guess", "--routing", "TR7", "--held", "1"},
             {.directory = folder.path()});
   EXPECT_EQ(guess.exit_code, 0) << guess.out;
-  EXPECT_TRUE(has(guess.out, "7 columns parted by semicolons"));
+  EXPECT_TRUE(has(guess.out, "7 columns separated by semicolons"));
   EXPECT_TRUE(has(guess.out, "First samples as understood"));
-  EXPECT_FALSE(has(guess.out, "Missing"));
+  EXPECT_FALSE(has(guess.out, "Problems"));
   const std::string command = last_line(guess.out);
   ASSERT_TRUE(command.starts_with("reeve import 'Messung 1.csv'")) << guess.out;
   const ProcessResult import = in(folder, REEVE_EXECUTABLE + command.substr(5));
@@ -99,9 +99,48 @@ TEST(ImportGuess, ListsAllThatIsMissingAtOnce) {
        {"dates and times of day are refused", "the header has one column of tensions",
         "a current is no tension", "- the routing: --routing", "- all samples are of run 1",
         "- no finger is held", "neither position nor speed", "no motor tension is logged",
-        "--routing ROUTING -o readings.csv"}) {
+        "Problems\n"}) {
     EXPECT_TRUE(has(guess.out, piece)) << piece << " in " << guess.out;
   }
+  // No command could import this log.
+  EXPECT_FALSE(has(guess.out, "reeve import"));
+}
+
+TEST(ImportGuess, TellsEqualFaultsOfSeveralRowsOnce) {
+  const TemporaryFolder folder;
+  folder.write("log.csv", "time_s;Kraft 1 [N];Kraft 2 [N]\n0;a;1\n1;b;1\n2;c;1\n3;1;d\n");
+  const ProcessResult guess =
+      reeve("import log.csv --guess --format json", {.directory = folder.path()});
+  const Json json = Json::parse(guess.out);
+  ASSERT_EQ(json["missing"].size(), 3U) << guess.out;  // the third: the routing
+  EXPECT_TRUE(has(json["missing"][0].get<std::string>(), "log.csv:2: column 'Kraft 1 [N]' = 'a'"));
+  EXPECT_TRUE(json["missing"][0].get<std::string>().ends_with(" (and 2 further rows)"));
+  EXPECT_TRUE(json["command"].is_null());
+}
+
+TEST(ImportGuess, FindsTheHeaderBelowATitle) {
+  const TemporaryFolder folder;
+  folder.write("log.csv", "Messung vom 14.03.2024\r\n" + german_log(english_log()));
+  const ProcessResult guess = reeve("import log.csv --guess", {.directory = folder.path()});
+  EXPECT_EQ(guess.exit_code, 1);
+  EXPECT_TRUE(has(guess.out, "7 columns separated by semicolons"));
+  EXPECT_TRUE(has(guess.out, "a title above the header is not read: 'Messung vom 14.03.2024'"));
+  const std::string command = last_line(guess.out);
+  ASSERT_TRUE(has(command, " --routing ROUTING ")) << guess.out;
+  std::string named = REEVE_EXECUTABLE + command.substr(5);
+  named.replace(named.find("ROUTING"), 7, "TR7");
+  const ProcessResult import = in(folder, named);
+  EXPECT_EQ(import.exit_code, 0) << import.err;
+  EXPECT_TRUE(has(import.out, "Messung vom 14.03.2024"));
+}
+
+TEST(ImportGuess, SuggestsTheNearestHeaderForAMappedColumn) {
+  const TemporaryFolder folder;
+  folder.write("log.csv", "time_s;Kraft F1 [N]\n0;1,5\n1;1,6\n");
+  const ProcessResult import =
+      reeve({"import", "log.csv", "--map", "Kraft F1=T1_N"}, {.directory = folder.path()});
+  EXPECT_EQ(import.exit_code, 2);
+  EXPECT_TRUE(has(import.err, "did you mean Kraft F1 [N]?"));
 }
 
 TEST(ImportGuess, WritesNothingAndRefusesToBeAskedTo) {

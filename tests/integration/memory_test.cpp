@@ -134,9 +134,9 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Starved{"Show", {"show", "TR5", "--out", "out"}},
                       // Its archive is thinned out again and again.
                       Starved{"Explore",
-                              {"explore", "--fingers", "5", "--parts", "full", "--top", "10",
+                              {"explore", "--fingers", "4", "--parts", "full", "--top", "10",
                                "--threads", "2", "--out", "out"},
-                              "30000"},
+                              "100000"},
                       Starved{"Diagnose",
                               {"diagnose", readings, "--threads", "2", "--out", "out"}}),
     [](const auto& tested) { return std::string(tested.param.name); });

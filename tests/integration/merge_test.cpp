@@ -95,6 +95,8 @@ INSTANTIATE_TEST_SUITE_P(
                    {"--fingers", "3", "--uncertainty", "--draws", "25", "--top", "20"}},
         MergedCase{"EqualDesigns", {"--fingers", "3", "--top", "2", "--objectives", "jams,knots"}},
         MergedCase{"OneTendon", {"--fingers", "4", "--tendons", "one", "--top", "30"}},
+        MergedCase{"DesignsWithoutTensions",
+                   {"--motors", "2", "--grasps", "none@1,-1", "--tips", "tube", "--top", "9"}},
         MergedCase{"NoJoins", {"--joins", "", "--grasps", "all"}},
         MergedCase{"AScore", {"--fingers", "3", "--score", "authors", "--top", "10"}},
         MergedCase{"Blocks",

@@ -29,12 +29,12 @@ TEST(Compare, WritesWhatItPrintsAndOneLineForEachValue) {
 
 TEST(Compare, SaysThatNothingIsFittedAndWhichDataAreSimulated) {
   const std::string simulated = reeve({"compare", readings}).out;
-  EXPECT_TRUE(has(simulated, "\nNothing is fitted: "));
+  EXPECT_TRUE(has(simulated, "\nNothing is fitted. "));
   EXPECT_TRUE(has(simulated, "\nThe data are simulated: "));
   EXPECT_TRUE(has(simulated, " (line 5)\n"));
   const std::string measured =
       reeve({"compare", std::string(REEVE_CATALOG_DIR) + "/measured/canyons_and_crags.csv"}).out;
-  EXPECT_TRUE(has(measured, "\nNothing is fitted: "));
+  EXPECT_TRUE(has(measured, "\nNothing is fitted. "));
   EXPECT_FALSE(has(measured, "simulated"));
 }
 

@@ -79,8 +79,8 @@ TEST_F(DamagedStore, BesideAPipeThatIsTakenForALog) {
 
 TEST_F(DamagedStore, WithAShardThatWasNotExplored) {
   change(
-      "INSERT INTO shards SELECT 2, shards, total, generated, evaluated, unconverged, seconds, "
-      "designs_digest, digest FROM shards");
+      "INSERT INTO shards SELECT 2, shards, total, generated, evaluated, "
+      "without_tensions, example_without_tensions, unconverged, seconds, designs_digest, digest FROM shards");
   expect_refused("shard 2 of 1: expected what explore saved of it" + was_changed);
 }
 

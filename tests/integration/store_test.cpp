@@ -169,7 +169,7 @@ TEST_F(Stored, RefusesWhatIsNoStore) {
   for (const std::string other : {"2", "7"}) {
     execute(store(), "PRAGMA user_version = " + other);
     expect_bad(explore({}), start + "it is a store of version " + other +
-                                "; expected version 4, which this program reads");
+                                "; expected version 5, which this program reads");
   }
   expect_bad(run("explore --store no/s.db"),
              "--store: no/s.db: there is no folder 'no'; expected one that is there");

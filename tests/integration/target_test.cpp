@@ -30,6 +30,7 @@ TEST(ExploredTarget, IsFoundByStaticsWithAFloatingPulley) {
   }
   EXPECT_LT(first["motor"]["nominal_N"], 56);
   EXPECT_TRUE(has(thumb.result.out, "by statics"));
+  EXPECT_TRUE(has(thumb.result.out, "\nApart from the target:\nBest: "));
   EXPECT_TRUE(has(thumb.file("index.html"), "Target 2.00:1.00:1.00: "));
 }
 
@@ -88,7 +89,7 @@ TEST(Front, SaysHowManyDistinctDesignsItHas) {
     const std::size_t distinct = sets_in(explored.file("pareto.csv"), columns).size();
     EXPECT_EQ(summary["front_distinct"], distinct);
     EXPECT_LT(distinct, summary["front"].size());
-    EXPECT_TRUE(has(explored.result.out, std::to_string(distinct) + " distinct in these"));
+    EXPECT_TRUE(has(explored.result.out, std::to_string(distinct) + " distinct set"));
   }
 }
 

@@ -113,9 +113,10 @@ TEST(SharedPlaces, AreSaidInWordsAndInTheTable) {
   const std::string text = reeve({"rank", "TR7", "1-P-2b-P-1", "TR1", "--uncertainty", "--draws",
                                   "9", "--hardware", alike.string()})
                                .out;
-  EXPECT_TRUE(has(text,
-                  "First place is shared by TR7 and 1-P-2b-P-1, which are equal in all that is "
-                  "ranked; it is shared in 100.0 % of the draws"));
+  EXPECT_TRUE(
+      has(text,
+          "Equal in all ranked objectives: TR7 and 1-P-2b-P-1; they share the first place in "
+          "100.0 % of the draws"));
   EXPECT_TRUE(has(text, "100.0 %, shared"));
 }
 

@@ -64,7 +64,7 @@ TEST(Mjcf, AtRestTheTensionsAreThoseWithoutFriction) {
                            "M-Y1+F-1-Y1-2-F", "M-Y1+Y2-Y1-Y3+1x-Y2-2x+3x-Y3-4x",
                            "M-B-Y1-B-Y1k+Y1-1x", "M-1-Y1+2-Y1-3-T-2", "M-W1+1x-W1/2:1-2x"}) {
     SCOPED_TRACE(word);
-    for (const Grasp grasp : {Grasp{}, hold({1})}) {
+    for (const Grasp& grasp : {Grasp{}, hold({1})}) {
       SCOPED_TRACE(to_text(grasp));
       expect_the_same_tensions(routing_of(word), {}, grasp);
     }
@@ -131,6 +131,14 @@ TEST(Mjcf, SaysWhatOfTheFrictionItCannotCarry) {
   EXPECT_NE(text.find("no capstan friction"), std::string::npos);
   EXPECT_EQ(SimulatedRig(text).text("contact_T1_T2"),
             "tube: mu 0.18, angle 3.14159265 rad, exponent 0.565486678");
+}
+
+TEST(Mjcf, HasTheTwoContactsOfALoopApart) {
+  Hardware hardware;
+  hardware.contacts = {{"T1", "T2", 0.3, 2.0}, {"T2", "T1", 0.05, 4.0}};
+  const SimulatedRig rig(mjcf(parse_routing("M-Y1+1-Y1-1"), hardware));
+  EXPECT_EQ(rig.text("contact_T1_T2"), "tube: mu 0.3, angle 2 rad, exponent 0.6");
+  EXPECT_EQ(rig.text("contact_T2_T1"), "block: mu 0.05, angle 4 rad, exponent 0.2");
 }
 
 TEST(Mjcf, RefusesWhatHasNoTensions) {

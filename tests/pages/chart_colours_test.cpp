@@ -72,8 +72,8 @@ TEST(ChartColours, OfAMeaningAreTheSameEverywhere) {
   const auto live = [&](const char* scheme, DesignKind kind) {
     return theme[scheme]["range"]["category"][static_cast<std::size_t>(kind)].get<std::string>();
   };
-  for (const DesignKind kind :
-       {DesignKind::listed, DesignKind::front, DesignKind::known, DesignKind::sample}) {
+  for (const DesignKind kind : {DesignKind::listed, DesignKind::front, DesignKind::known,
+                                DesignKind::sample, DesignKind::named}) {
     EXPECT_EQ(live("light", kind), on_white(design_style(kind))) << design_kind_name(kind);
   }
   for (const auto& [name, kind] :

@@ -76,7 +76,7 @@ TEST(DiagnosisPage, FillsTheHeldOutRunsAndDrawsEachModelInItsPanel) {
   name_tube_friction(report);
   const std::vector<ReadPanel> panels = chart_of(diagnosis_page({report, "", {}}), "compared");
   const double predicted[] = {2.0, 2.9};
-  const char* const titles[] = {"before: the model as it stands", "after: the extended model"};
+  const char* const titles[] = {"before: the nominal model", "after: the extended model"};
   for (const std::size_t panel : {0U, 1U}) {
     EXPECT_EQ(panels[panel].texts.front(), titles[panel]);
     std::size_t held_out = 0;

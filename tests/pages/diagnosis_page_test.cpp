@@ -116,7 +116,7 @@ TEST(DiagnosisPage, HasTheCalibratedFrictionWithItsIntervals) {
   const std::string table = page.substr(begin, page.find("</table>", begin) - begin);
   for (const char* cell :
        {"sheath_friction", "0.080 to 0.100", "0.170 to 0.186", "0.178",
-        "Differs from the hardware (0.180)", "Agrees with the hardware (0.180)"}) {
+        "Differs from the nominal value (0.180)", "Agrees with the nominal value (0.180)"}) {
     EXPECT_TRUE(contains(table, cell)) << cell << "\n" << table;
   }
 }

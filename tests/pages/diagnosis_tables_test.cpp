@@ -57,9 +57,9 @@ TEST(CalibrationTable, SaysWhereTheSearchEnded) {
   CalibratedCoefficient& tube = result.calibration.emplace_back();
   tube.name = "tube_friction";
   tube.parameter = {"mu", "1", 0.1, 0.05, 0.15, 0.18, std::nullopt, true};
-  EXPECT_NE(calibration_table(result).find(", a bound of what is searched"), std::string::npos);
+  EXPECT_NE(calibration_table(result).find(", at the limit of the search"), std::string::npos);
   tube.parameter.at_bound = false;
-  EXPECT_EQ(calibration_table(result).find(", a bound of what is searched"), std::string::npos);
+  EXPECT_EQ(calibration_table(result).find(", at the limit of the search"), std::string::npos);
 }
 
 TEST(ExpectedTable, HasAColumnForEachOfTwoCausesThatAreToBeSeparated) {

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "pages/exploration/exploration_designs.hpp"
 #include "tests/pages/explored.hpp"
 
 namespace reeve {
@@ -30,6 +35,43 @@ TEST(HeldDesigns, AreCountedInWords) {
   EXPECT_EQ(
       pages::held_text(report, 50),
       "200 of 200 ranked designs are listed; this page holds the first 50. 1 of them is on the front.");
+}
+
+ListedDesign unlisted(std::size_t number) {
+  ListedDesign design;
+  design.routing = testing::numbered_routing(number);
+  design.ranked.design.word = to_word(design.routing);
+  return design;
+}
+
+// The answer and the ladder name designs beyond the list: the page holds and draws
+// them all the same.
+TEST(NamedDesigns, AreHeldAndDrawnWhereTheListEndsBeforeThem) {
+  ExploreReport report = testing::large(200);
+  ListedLadder& ladder = report.ladder;
+  ladder.affordable = unlisted(1000);
+  ladder.with_bars = unlisted(1001);
+  ladder.never_jams = unlisted(1002);
+  ladder.choice = {unlisted(1003), unlisted(1004)};
+  ladder.rungs = {unlisted(1000), unlisted(1005)};
+  report.robust_first = RobustFirst{{unlisted(1006)}, {unlisted(1006)}};
+  ExplorationView view = testing::view(report);
+  view.details = 0;
+  std::vector<std::string> held;
+  for (const pages::PageDesign& design : pages::page_designs(report, 10)) {
+    held.push_back(design.word);
+  }
+  std::vector<std::string> drawn;
+  for (const Routing* routing : pages::detailed_designs(view).whole) {
+    drawn.push_back(to_word(*routing));
+  }
+  for (std::size_t number = 1000; number <= 1006; ++number) {
+    const std::string word = unlisted(number).ranked.design.word;
+    EXPECT_EQ(std::count(held.begin(), held.end(), word), 1) << number;
+    EXPECT_EQ(std::count(drawn.begin(), drawn.end(), word), 1) << number;
+    EXPECT_EQ(pages::standings_json(report)[word],
+              "Named in the answer; not among the listed designs.");
+  }
 }
 
 TEST(Standings, SayWhyAKnownRoutingIsNotInTheList) {

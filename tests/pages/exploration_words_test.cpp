@@ -63,16 +63,17 @@ TEST(ExplorationAnswer, AdvisesADesignOnceIfItIsAffordableAndTheKnee) {
 TEST(ExplorationWords, SayWhatWasCountedAndWhatHasItsOwnFriction) {
   ExploreReport report = explored(small_options());
   expect_says(pages::explored_words(report), "; any number of tendons; fingers count as alike.");
-  expect_says(pages::explored_words(report), "sheaths μ 0.18 over 6.283 rad. ");
+  expect_says(pages::explored_words(report), "sheaths μ 0.18 over 360 deg. ");
   report.options.generator.one_tendon = true;
   report.options.generator.identity = FingerIdentity::distinct;
   Hardware& hardware = report.options.model.hardware;
   hardware.block = ContactLaw{0.25, 3};
   hardware.contacts.push_back({"T1", "T2", 0.1, {}});
   expect_says(pages::explored_words(report), "; one tendon; fingers are told apart.");
-  expect_says(pages::explored_words(report),
-              ", floating blocks μ 0.25 over 3 rad. 0 fingers and 1 contact have values of their "
-              "own.");
+  expect_says(
+      pages::explored_words(report),
+      ", floating blocks μ 0.25 over 171.9 deg. 0 fingers and 1 contact have values of their "
+      "own.");
 }
 
 TEST(ExplorationWords, SayWhenTheFirstStandsAlone) {
@@ -97,9 +98,10 @@ TEST(ExplorationWords, SayThatTheScoreOrders) {
   const ExplorationWords words = exploration_words(explored(options));
   expect_says(words.won, "Among these the one with the greatest score comes first");
   EXPECT_EQ(joined(words.won).find("product"), std::string::npos) << joined(words.won);
-  expect_says(words.explored,
-              "(which fingers are held). Front by front over uniformity_mean, efficiency_mean, "
-              "within a front by the score, the weighted mean of adaptability=1,");
+  expect_says(
+      words.explored,
+      "(which fingers are held). Sorted by Pareto front (uniformity_mean, efficiency_mean), "
+      "within a front by the score, the weighted mean of adaptability=1,");
 }
 
 TEST(ExplorationWords, SayThatFewestPartsDecideBetweenEqualScores) {

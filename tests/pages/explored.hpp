@@ -39,8 +39,8 @@ inline ExploreReport explored(const ExploreOptions& options) {
 inline ExplorationView view(const ExploreReport& report) {
   return {report, "reeve explore", "",
           [&report](const Routing& routing) {
-            return shown_routing(routing, report.options.model, report.options.grasps,
-                                 Direction::pull, Catalogue{});
+            return solved_routing(routing, report.options.model, report.options.grasps,
+                                  Direction::pull, Catalogue{});
           },
           std::nullopt};
 }

@@ -207,7 +207,7 @@ TEST(FigureNine, DrawsTheModelAsItIsToo) {
   EXPECT_NEAR(tr4.at("T3") / tr4.at("T2"), std::exp(-(2 * 0.3 * 2 + 0.001) * std::numbers::pi),
               20 * hair);
   EXPECT_TRUE(shares(panels, 1, 2, "points", "published").empty());
-  EXPECT_NE(ranked.html.find("(b) the model as it stands: μ of tubes 0.05, of sheaths 0.3"),
+  EXPECT_NE(ranked.html.find("(b) the nominal model: μ of tubes 0.05, of sheaths 0.3"),
             std::string::npos);
   const Json& row = ranked.json["tension_distributions"][1];
   EXPECT_TRUE(row["mu"].is_null());

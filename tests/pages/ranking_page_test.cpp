@@ -150,7 +150,7 @@ TEST(RankingPage, SaysWhatDecidesWithinAFrontAndWhatMayBeAskedFor) {
 TEST(RankingPage, HasTheLadder) {
   const Ranked ranked({"TR3", "TR7", "M-1b-B-2b-M", "M-1b-B-2b-F"});
   EXPECT_NE(ranked.html.find("<section id=\"ladder\">"), std::string::npos);
-  EXPECT_NE(ranked.html.find("<p class=\"decision\">With fewest sheaths within 2 % of it: "
+  EXPECT_NE(ranked.html.find("<p class=\"decision\">Fewest sheaths within 2 % of it: "
                              "M-1b-B-2b-F: 1 sheath"),
             std::string::npos);
   for (const Json& rung : ranked.json["ladder"]["rungs"]) {

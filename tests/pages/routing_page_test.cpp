@@ -88,7 +88,8 @@ TEST(RoutingPage, SaysHowItIsWrittenAndMade) {
 TEST(RoutingPage, SaysWhatTendonsOfOneCarriageShare) {
   const Shown two({"M-1-F+M-2-F"});
   EXPECT_TRUE(
-      two.has("id=\"shared\">2 tendons hang on one carriage: their shares of its pull are"));
+      two.has("id=\"shared\">2 tendons hang on one carriage: their shares of its pull "
+              "assume"));
   EXPECT_NE(two.plain.out.find("\n2 tendons hang on one carriage: "), std::string::npos);
   EXPECT_TRUE(Shown({"M-Y1+1x-Y1-2x+M-3-F"}).has(">2 trees of tendons hang on one carriage: "));
   EXPECT_FALSE(Shown({"M-Y1+1x-Y1-2x"}).has("id=\"shared\""));
@@ -119,8 +120,8 @@ TEST(RoutingPage, SaysWhatTheRoutingMakesOfAHand) {
   EXPECT_TRUE(shown.has("<h2>Hand</h2>"));
   EXPECT_TRUE(shown.has("id=\"hand-table-2\""));
   EXPECT_TRUE(
-      shown.has("Motor force: 65.8 N nominal, 102.1 N in 95 % of 1000 draws; by the latter "
-                "the motor&apos;s 80 N is not enough"));
+      shown.has("Motor force: 65.8 N nominal, 102.1 N in 95 % of 1000 draws. The "
+                "motor&apos;s 80 N is too little: "));
   EXPECT_TRUE(shown.has(">motor force<"));
   EXPECT_TRUE(
       shown.has("<strong>Hand.</strong> finger 1: 2 joints, arms 11/8 mm, ranges 60/70 °, "

@@ -45,10 +45,10 @@ const SizedPage& hand_page() {
 TEST(SizingPage, AnswersWithDimensionsTolerancesAndTheMotor) {
   const SizedPage& page = hand_page();
   ASSERT_EQ(page.result.exit_code, 0) << page.result.err;
-  for (const char* part :
-       {"id=\"gain\"", "All may be off at once by ", "Motor force: ", "id=\"dimensions-table\"",
-        "id=\"slopes-table\"", "id=\"motor-table\"", "id=\"hand-table-2\"",
-        "<pre id=\"command\">reeve size M-1b-T-2b-B-3b-M "}) {
+  for (const char* part : {"id=\"gain\"", "id=\"summary-table\"",
+                           "All at once: ", "Motor force: ", "id=\"dimensions-table\"",
+                           "id=\"slopes-table\"", "id=\"motor-table\"", "id=\"hand-table-2\"",
+                           "<pre id=\"command\">reeve size M-1b-T-2b-B-3b-M "}) {
     EXPECT_TRUE(page.has(part)) << part;
   }
   for (const Json& dimension : page.json["designs"][0]["dimensions"]) {
@@ -125,7 +125,7 @@ void expect_tolerances_drawn(const SizedPage& page) {
     const auto end = [&](const Json& way, double sign, const Json& last) {
       return way.is_null() ? last.get<double>() : sized + sign * way.get<double>();
     };
-    const auto [low, high] = ends(panels[i].marks("bands", "may be off so far alone").at(0));
+    const auto [low, high] = ends(panels[i].marks("bands", "tolerance alone").at(0));
     EXPECT_NEAR(low, end(dimension["tolerance"]["less"], -1, values.front()), 1e-3 * sized);
     EXPECT_NEAR(high, end(dimension["tolerance"]["more"], 1, values.back()), 1e-3 * sized);
     const Json& ways = dimension["tolerance_together"];

@@ -27,5 +27,20 @@ inline rc::Gen<Routing> any_routing(int most_fingers = 9) {
       });
 }
 
+// The same with wrap angles at some of its contacts: few different ones, so that some are alike.
+inline rc::Gen<Routing> any_angled_routing(int most_fingers = 9) {
+  return rc::gen::map(rc::gen::pair(any_routing(most_fingers), rc::gen::arbitrary<std::uint64_t>()),
+                      [](std::pair<Routing, std::uint64_t> drawn) {
+                        Dice dice(drawn.second);
+                        for (Tendon& tendon : drawn.first.tendons) {
+                          for (Token& token : tendon.walk) {
+                            if (!has_angle(token.kind) || dice.chance(0.5)) continue;
+                            token.angle.millidegrees = dice.chance(0.5) ? 90000 : 22500;
+                          }
+                        }
+                        return drawn.first;
+                      });
+}
+
 }  // namespace testing
 }  // namespace reeve

@@ -51,7 +51,7 @@ Routing renamed(Routing routing, Dice& dice) {
   for (Tendon& tendon : routing.tendons) {
     for (Token& token : tendon.walk) {
       if (token.kind != TokenKind::finger) continue;
-      token = finger(names[static_cast<std::size_t>(token.finger - 1)], token.tip);
+      token.finger = static_cast<std::uint8_t>(names[static_cast<std::size_t>(token.finger - 1)]);
     }
   }
   return routing;
@@ -111,6 +111,32 @@ RC_GTEST_PROP(CanonicalProperty, IsItsOwnCanonicalForm, ()) {
     const Routing once = canonical(routing, identity);
     RC_ASSERT(canonical(once, identity) == once);
   }
+}
+
+RC_GTEST_PROP(CanonicalProperty, WithWrapAnglesDoesNotDependOnWalksNorOnNames, ()) {
+  const Routing routing = *testing::any_angled_routing();
+  Dice dice = any_dice();
+  for (const FingerIdentity identity : {FingerIdentity::identical, FingerIdentity::distinct}) {
+    const Routing once = canonical(routing, identity);
+    RC_ASSERT(canonical(once, identity) == once);
+    RC_ASSERT(canonical(disguised(routing, dice), identity) == once);
+  }
+  RC_ASSERT(canonical(disguised(with_motors_renamed(renamed(routing, dice), dice), dice),
+                      FingerIdentity::identical) == canonical(routing, FingerIdentity::identical));
+}
+
+// The angles in the order of the canonical word are as many, and the same.
+RC_GTEST_PROP(CanonicalProperty, KeepsWrapAngles, ()) {
+  const Routing routing = *testing::any_angled_routing();
+  const auto angles = [](const Routing& of) {
+    std::vector<WrapAngle> all;
+    for (const Tendon& tendon : of.tendons) {
+      for (const Token& token : tendon.walk) all.push_back(token.angle);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  RC_ASSERT(angles(canonical(routing, FingerIdentity::identical)) == angles(routing));
 }
 
 // What stands next to each finger, in either order.

@@ -38,7 +38,7 @@ std::vector<Grasp> jamming_grasps(const Network& network, const Mechanics& numbe
 // Returns the smallest sets by the definition: no set within them jams.
 std::vector<Grasp> smallest_of(const std::vector<Grasp>& jamming) {
   std::vector<Grasp> smallest;
-  for (const Grasp grasp : jamming) {
+  for (const Grasp& grasp : jamming) {
     const bool holds_another = std::any_of(jamming.begin(), jamming.end(), [&](Grasp other) {
       return !(other == grasp) && (grasp.held & other.held) == other.held;
     });

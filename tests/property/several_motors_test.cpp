@@ -1,5 +1,5 @@
 // Routings of several motors, whose carriages move as the grasp says, and of ends on spools of
-// their own, against the independent solver.
+// their own, locked, or behind springs and slack, against the independent solver.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motor_sides.hpp"
 #include "core/notation.hpp"
 #include "core/performance.hpp"
 #include "core/tension/tension.hpp"
@@ -58,7 +59,8 @@ ReferenceHardware laws_at_random(Dice& dice) {
   return hardware;
 }
 
-Mechanics mechanics_under(const Network& network, const ReferenceHardware& laws) {
+Mechanics mechanics_under(const Network& network, const ReferenceHardware& laws,
+                          const TendonParts& tendon = {}) {
   Hardware hardware;
   hardware.tube = {laws.tube.mu, laws.tube.angle};
   hardware.bearing = {laws.bearing.mu, laws.bearing.angle};
@@ -67,6 +69,7 @@ Mechanics mechanics_under(const Network& network, const ReferenceHardware& laws)
   hardware.motor_side_mm = laws.motor_side_length;
   hardware.hand_mm = laws.hand_length;
   for (const auto& [segment, ratio] : laws.spool) hardware.spools.push_back({segment, ratio});
+  hardware.tendon = tendon;
   Mechanics result = mechanics(network, hardware);
   for (int finger = 1; finger <= network.fingers; ++finger) {
     result.closing[static_cast<std::size_t>(finger) - 1] = laws.closing_weight.at(finger);
@@ -79,6 +82,7 @@ struct MotorTrial {
   Grasp grasp;
   Direction direction = Direction::pull;
   ReferenceHardware laws;
+  TendonParts tendon{};
 };
 
 std::string to_text(const MotorTrial& trial) {
@@ -109,6 +113,47 @@ std::map<std::string, double> random_spools(Dice& dice, const Network& network) 
   return spools;
 }
 
+void lock_ends(Dice& dice, const Network& network, MotorTrial& trial) {
+  const MotorEnds ends = motor_ends(network);
+  for (const std::uint64_t end : ends) {
+    const std::uint64_t locked = trial.grasp.locked | end;
+    const bool moves = locked + 1 != std::uint64_t{1} << ends.size();
+    if (moves && dice.chance(0.35)) trial.grasp.locked = locked;
+  }
+  for (const std::string& name : locked_ends(trial.grasp)) trial.laws.locked.insert(name);
+}
+
+// At most one of a spring and slack stands at each tendon.
+void add_springs(Dice& dice, const Network& network, MotorTrial& trial) {
+  constexpr double EA_N = 3000;
+  constexpr double travel_mm = 50;
+  trial.tendon = {EA_N, travel_mm, {}};
+  std::map<std::string, double> springs_mm;
+  for (std::size_t t = 0; t < network.tendons.size(); ++t) {
+    std::vector<std::string> sides;
+    std::vector<std::string> ends;
+    for (std::size_t i = 0; i < network.tendons[t].segments; ++i) {
+      const Segment& segment = network.segments[network.tendons[t].first_segment + i];
+      if (segment.kind != SegmentKind::motor_side) continue;
+      sides.push_back(segment_name(segment));
+      if (find_motor_end(network, segment)) ends.push_back(sides.back());
+    }
+    TendonHardware own{static_cast<int>(t) + 1, {}, {}};
+    if (ends.size() == 1 && dice.chance(0.6)) {
+      own.stiffness_N_mm = dice.log_real(0.5, 500);
+      springs_mm[ends.front()] = EA_N / *own.stiffness_N_mm;
+    } else if (!sides.empty() && !is_tied(network, network.tendons[t]) && dice.chance(0.5)) {
+      own.slack_mm = dice.log_real(0.5, 100);
+      trial.laws.slack[sides.back()] = *own.slack_mm / travel_mm;
+    }
+    if (own.stiffness_N_mm || own.slack_mm) trial.tendon.own.push_back(own);
+  }
+  trial.laws.length_override = [springs_mm](const std::string& name, double nominal) {
+    const auto spring = springs_mm.find(name);
+    return spring == springs_mm.end() ? nominal : nominal + spring->second;
+  };
+}
+
 struct SeenMotors {
   int solved = 0;
   int jams = 0;
@@ -122,6 +167,7 @@ struct SeenMotors {
 
 bool lets_out(const Grasp& grasp) {
   const std::vector<double> travels = carriage_travels(grasp);
+  if (travels.empty()) return false;
   return *std::min_element(travels.begin(), travels.end()) < 0;
 }
 
@@ -139,7 +185,7 @@ void count(const MotorTrial& trial, const TensionState& state, SeenMotors& seen)
 
 void compare(const MotorTrial& trial, SeenMotors& seen) {
   const Network network = expand(parse_routing(trial.word));
-  const Mechanics m = mechanics_under(network, trial.laws);
+  const Mechanics m = mechanics_under(network, trial.laws, trial.tendon);
   TensionState state;
   TensionSolver().solve(network, m, trial.grasp, trial.direction, state);
   const std::vector<int> held = held_fingers(trial.grasp);
@@ -201,20 +247,26 @@ TEST(SeveralMotorsProperty, TreesAndTacklesAreThoseOfAnIndependentSolver) {
                       [](Dice& dice) { return parse_routing(testing::random_mechanism(dice)); });
 }
 
+// Draws routings without and with blocks, half of them with one motor.
+MotorTrial random_trial(Dice& dice) {
+  const Routing one = dice.chance(0.5) ? testing::random_routing(dice, {1, 4, true, true})
+                                       : parse_routing(testing::random_mechanism(dice));
+  MotorTrial trial = random_motor_trial(dice, one);
+  if (dice.chance(0.5)) {
+    trial.word = to_word(one);
+    trial.grasp.carriages = {};
+    trial.laws.carriage_travel.clear();
+  }
+  return trial;
+}
+
 TEST(SeveralMotorsProperty, UnequalSpoolsAreThoseOfAnIndependentSolver) {
   constexpr int trials = 2000;
   SeenMotors seen;
   int with_spools = 0;
   for (std::uint64_t seed = 1; seed <= trials; ++seed) {
     Dice dice(seed);
-    const Routing one = dice.chance(0.5) ? testing::random_routing(dice, {1, 4, true, true})
-                                         : parse_routing(testing::random_mechanism(dice));
-    MotorTrial trial = random_motor_trial(dice, one);
-    if (dice.chance(0.5)) {
-      trial.word = to_word(one);
-      trial.grasp.carriages = {1, {1, 1, 1, 1, 1, 1}};
-      trial.laws.carriage_travel.clear();
-    }
+    MotorTrial trial = random_trial(dice);
     trial.laws.spool = random_spools(dice, expand(parse_routing(trial.word)));
     with_spools += trial.laws.spool.empty() ? 0 : 1;
     SCOPED_TRACE(std::to_string(seed) + ": " + to_text(trial));
@@ -223,6 +275,32 @@ TEST(SeveralMotorsProperty, UnequalSpoolsAreThoseOfAnIndependentSolver) {
   }
   expect_all_seen(seen, trials);
   EXPECT_GT(with_spools, trials / 3);
+}
+
+TEST(SeveralMotorsProperty, LockedEndsSpringsAndSlackAreThoseOfAnIndependentSolver) {
+  constexpr int trials = 3000;
+  SeenMotors seen;
+  int locked = 0;
+  int sprung = 0;
+  int slack = 0;
+  for (std::uint64_t seed = 1; seed <= trials; ++seed) {
+    Dice dice(seed);
+    MotorTrial trial = random_trial(dice);
+    const Network network = expand(parse_routing(trial.word));
+    trial.laws.spool = random_spools(dice, network);
+    lock_ends(dice, network, trial);
+    add_springs(dice, network, trial);
+    locked += trial.grasp.locked != 0;
+    sprung += trial.tendon.own.size() > trial.laws.slack.size();
+    slack += !trial.laws.slack.empty();
+    SCOPED_TRACE(std::to_string(seed) + ": " + to_text(trial));
+    compare(trial, seen);
+    if (::testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(seen.solved, trials / 2);
+  EXPECT_GT(seen.jams, trials / 100);
+  EXPECT_EQ(seen.unsolved, 0);
+  for (const int cases : {locked, sprung, slack}) EXPECT_GT(cases, trials / 5);
 }
 
 // Σ T_i dl_i + Σ friction force × slip = Σ_c T_Mc D_c, T_Mc = Σ r_i T_i.

@@ -88,14 +88,44 @@ TEST(Csv, TakesTheSeparatorFromTheHeader) {
   EXPECT_EQ(read("a\tb\n1,5\t2\n").rows[0].fields, (Fields{"1,5", "2"}));
 }
 
+std::vector<std::string> titles_of(const std::string& text) {
+  std::vector<std::string> titles;
+  const CsvReader reader(text, "d.csv");
+  for (const CsvComment& title : reader.titles()) titles.push_back(title.text);
+  return titles;
+}
+
+// Titles may have separators of their own, numbers, or a row of blank fields.
+TEST(Csv, FindsTheHeaderBelowTitles) {
+  const std::string log = "Zeit [s];Kraft F1 [N]\r\n0,0;1,5\r\n0,1;1,6\r\n";
+  for (const char* line : {"Messung vom 14.03.2024\r\n", "Rig 3, Zug; Seil\r\n", "Messung;\r\n",
+                           "Rate;100\r\n", "\"Messung\nzwei\"\r\n"}) {
+    const std::string title(line);
+    const Table table = read(title + "\r\n" + log);
+    EXPECT_EQ(table.header, (Fields{"Zeit [s]", "Kraft F1 [N]"})) << title;
+    ASSERT_EQ(table.rows.size(), 2U) << title;
+    EXPECT_EQ(table.rows[0].fields, (Fields{"0,0", "1,5"})) << title;
+    EXPECT_EQ(titles_of(title + log).size(), 1U) << title;
+  }
+  EXPECT_EQ(read("Messung\nMai\n" + log).rows[0].line, 4U);
+  EXPECT_EQ(titles_of("# c\nMessung\nMai\n" + log), (Fields{"Messung", "Mai"}));
+}
+
+TEST(Csv, BeginsWithItsHeaderIfNoRowBelowFitsBetter) {
+  for (const char* text : {"a,b\n1,2\n", "a,b\nx,y\n1,2\n", "a,b\n1,2,3\n", "a,b\nx,y\n",
+                           "1,2\n3,4\n", "a,b,\n1,2\n", "a,b\n1,\n2,\n"}) {
+    EXPECT_TRUE(titles_of(text).empty()) << text;
+  }
+}
+
 TEST(BadCsv, NamesLineAndColumnOfARaggedRow) {
   EXPECT_EQ(error_in("# c\na,b,c\n1,2\n"),
-            "d.csv:3:4: the row ends after 2 fields: expected 3, as many as the header in line 2 "
+            "d.csv:3:4: 2 fields: expected 3, as many as the header in line 2 "
             "has");
   EXPECT_EQ(error_in("a,b\n1,2,3\n"),
-            "d.csv:2:5: a further field: expected 2, as many as the header in line 1 has");
+            "d.csv:2:5: 3 fields: expected 2, as many as the header in line 1 has");
   EXPECT_EQ(error_in("a,b\n1"),
-            "d.csv:2:2: the row ends after 1 field: expected 2, as many as the "
+            "d.csv:2:2: 1 field: expected 2, as many as the "
             "header in line 1 has");
 }
 

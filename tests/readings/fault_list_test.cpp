@@ -26,7 +26,7 @@ TEST(AllFaults, AreToldAtOnceByTheirLines) {
       "  d.csv:2: column 'speed' = '-1': expected a number from 0 to 1000000000, or an empty "
       "cell\n"
       "  d.csv:2: column 'direction' = 'push': expected pull, release, or an empty cell\n"
-      "  d.csv:3:6: the row ends after 2 fields: expected 7, as many as the header in line 1 "
+      "  d.csv:3:6: 2 fields: expected 7, as many as the header in line 1 "
       "has\n"
       "  d.csv:4: column 'run' = '': expected a name or number for the run\n"
       "  d.csv:4: column 'routing' = 'M-1-Q': routing 'M-1-Q', column 5: unknown token 'Q': "

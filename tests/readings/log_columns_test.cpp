@@ -194,8 +194,8 @@ TEST(LogColumns, WithoutAClockAreNamedWithWhatSaysWhichIsOne) {
   EXPECT_EQ(
       input_error([&] { parse_logged_series("Zeit [s],T1_N,T2_N\n0,1,2\n", "log.csv", options); }),
       "log.csv:1: the header has no column of time: expected one of time_s, t_s, t, time, "
-      "timestamp (seconds), time_ms and t_ms; it has 'Zeit [s]', 'T1_N', 'T2_N', and --map "
-      "'COLUMN=time_s' says which of them is one");
+      "timestamp (seconds), time_ms and t_ms; it has 'Zeit [s]', 'T1_N', 'T2_N'; name it "
+      "with --map 'COLUMN=time_s'");
 }
 
 TEST(LogColumns, BelowALineOfOtherNamesAreFound) {
@@ -220,7 +220,7 @@ TEST(BadLog, IsToldAllItsFaultsAtOnce) {
             "  log.csv:2: column 'T2_N' = 'x': expected a number from -1000000000 to 1000000000, "
             "or an empty cell\n"
             "  log.csv:3: column 't' = '': expected the time of the sample, a number\n"
-            "  log.csv:4:4: the row ends after 2 fields: expected 4, as many as the header in line "
+            "  log.csv:4:4: 2 fields: expected 4, as many as the header in line "
             "1 has\n"
             "  log.csv:5: column 'T1_N' = '1e300': expected a number from -1000000000 to "
             "1000000000, or an empty cell");

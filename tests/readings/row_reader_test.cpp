@@ -177,7 +177,7 @@ TEST(MeasuredDataFault, HasTheCellInParts) {
             "d.csv:1 | column 4 | Th0_N | a tension written as T1_N (strand), Ta_N (motor-side "
             "segment), Th1_N (stretch at the hand) or at_T1_N (the motor-side segment at T1)");
   EXPECT_EQ(parts("run,routing,T1_N\nA,TR5\n"),
-            "d.csv:2:6 | the row ends after 2 fields | - | 3, as many as the header in line 1 has");
+            "d.csv:2:6 | 2 fields | - | 3, as many as the header in line 1 has");
 }
 
 }  // namespace

@@ -178,8 +178,10 @@ TEST(AColumnOfGroups, NeedNotHaveTheCapitalsOfTheOption) {
 }
 
 TEST(AColumnOfGroups, IsNotGuessedFromTwo) {
-  EXPECT_EQ(data_error("run,routing,Winch,winch,T1_N\nA,TR5,left,right,1\n", {{}, {}, "WINCH"}),
-            "d.csv:1: the header has no column 'WINCH': expected the column of groups");
+  EXPECT_EQ(
+      data_error("run,routing,Winch,winch,T1_N\nA,TR5,left,right,1\n", {{}, {}, "WINCH"}),
+      "d.csv:1: the header has no column 'WINCH': expected the column of groups; did you mean "
+      "Winch?");
 }
 
 TEST(AColumnOfGroups, HasNoOtherMeaning) {

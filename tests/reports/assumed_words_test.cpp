@@ -21,9 +21,9 @@ TEST(AssumedText, HasFrictionBendsAndTheLaw) {
   Model model;
   EXPECT_EQ(assumed_text(model),
             "Assumed: tubes mu 0.18 over 180 deg, bearings mu 0.001 over 180 deg, sheaths mu 0.18 "
-            "over 360 deg; capstan friction alone");
+            "over 360 deg; only capstan friction");
   model.hardware.fingers = {finger_numbered(1)};
-  EXPECT_TRUE(has(assumed_text(model), ", 1 finger with values of their own;"));
+  EXPECT_TRUE(has(assumed_text(model), ", 1 finger with values of its own;"));
 }
 
 TEST(AngleNotes, QuestionAnglesThatLookLikeDegrees) {

@@ -167,21 +167,19 @@ std::string line_of(const std::vector<ListedDesign>& designs) {
 TEST(SharedFirst, NamesWhoIsEqualUnlessBearingsAreAllThatDiffers) {
   EXPECT_EQ(line_of({placed("A", 1, 1), placed("B", 2, 2)}), "");
   EXPECT_EQ(line_of({placed("A", 1, 1), placed("B", 2, 1), placed("C", 3, 3)}),
-            "First place is shared by A and B, which are equal in all that is ranked");
+            "Equal in all ranked objectives: A and B");
   ListedDesign twin = placed("B", 2, 1);
   twin.same_as = "A";
   EXPECT_EQ(line_of({placed("A", 1, 1), twin}), "");
   EXPECT_EQ(line_of({placed("A", 1, 1), twin, placed("C", 3, 1)}),
-            "First place is shared by A, B and C, which are equal in all that is ranked");
+            "Equal in all ranked objectives: A, B and C");
   std::vector<ListedDesign> many;
   for (std::size_t i = 0; i < 6; ++i)
     many.push_back(placed(std::string(1, char('A' + i)), i + 1, 1));
-  EXPECT_EQ(line_of(many),
-            "First place is shared by A, B, C, D and 2 more, which are equal in all "
-            "that is ranked");
+  EXPECT_EQ(line_of(many), "Equal in all ranked objectives: A, B, C, D and 2 more");
   EXPECT_EQ(line_of({drawn_design("A", 1, 1), drawn_design("B", 2, 1)}),
-            "First place is shared by A and B, which are equal in all that is ranked; it is shared "
-            "in 25.0 % of the draws");
+            "Equal in all ranked objectives: A and B; they share the first place in 25.0 % of the "
+            "draws");
 }
 
 TEST(DesignCsv, EndsWithPlaceAndBands) {

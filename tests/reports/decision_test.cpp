@@ -54,11 +54,10 @@ TEST(AnswerLines, NameTheFirstTheAffordableAndTheKnee) {
   first.routing = parse_routing("M-1-F");
   first.equivalent = {"D", "E"};
   EXPECT_EQ(lines_text(answer_lines({first}, ladder)),
-            "First: C, and 2 more with other bearings, which change nothing: 4 sheaths, uniformity "
-            "0.800\n"
-            "It never jams\n"
-            "With fewest sheaths within 2 % of it: Two (B): 2 sheaths, uniformity 0.792 (-1.0 %)\n"
-            "Knee of the ladder: Two (B) at 2 sheaths\n");
+            "Best: C: 4 sheaths, uniformity 0.800 (2 equivalent variants)\n"
+            "It never jams unless all fingers are held\n"
+            "Fewest sheaths within 2 % of it: Two (B): 2 sheaths, uniformity 0.792 (-1.0 %)\n"
+            "Knee of the trade-off: Two (B), 2 sheaths\n");
 }
 
 TEST(AnswerLines, SayWhereTheFirstJamsAndWhatNeverJammingCosts) {
@@ -89,10 +88,10 @@ TEST(AnswerLines, NameTheBestWithAndWithoutFloatingPulleysAndWhatTheWearerCarrie
   ListedDesign first = ladder.rungs[2];
   first.routing = parse_routing("M-1-F");
   const std::string expected =
-      "It never jams\n"
-      "Without floating pulleys, best: A: 1 sheath, uniformity 0.500 (-37.5 %), jams in some "
+      "It never jams unless all fingers are held\n"
+      "Without floating blocks, best: A: 1 sheath, uniformity 0.500 (-37.5 %), jams in some "
       "grasps; at the hand no moving part, 4 strands\n"
-      "With floating pulleys, fewest sheaths within 2 % of the first: Two (B): 2 sheaths, "
+      "With floating blocks, fewest sheaths within 2 % of the best: Two (B): 2 sheaths, "
       "uniformity 0.792 (-1.0 %); at the hand 1 moving part, 2 strands";
   EXPECT_TRUE(testing::has(lines_text(answer_lines({first}, ladder)), expected + "\nKnee"));
   ladder.with_bars = listed(design("M-W1+1x-W1-2x", 2, 0.8, 10), "Bars", 0);
@@ -122,8 +121,8 @@ TEST(AnswerLines, SayTheCostInItsUnit) {
   ListedLadder ladder = three_rungs(Objective::cost);
   ladder.cost_unit = "EUR";
   const std::string said = lines_text(answer_lines({ladder.rungs[2]}, ladder));
-  EXPECT_TRUE(testing::has(said, "First: C: cost 30.00 EUR, uniformity"));
-  EXPECT_TRUE(testing::has(said, "With least cost within 2 % of it: Two (B): cost 12.50 EUR, "));
+  EXPECT_TRUE(testing::has(said, "Best: C: cost 30.00 EUR, uniformity"));
+  EXPECT_TRUE(testing::has(said, "Least cost within 2 % of it: Two (B): cost 12.50 EUR, "));
 }
 
 ListedLadder thousandth(ListedLadder ladder) {
@@ -144,9 +143,9 @@ ListedLadder thousandth(ListedLadder ladder) {
 TEST(AnswerLines, SayACostOfGramsInKilograms) {
   const ListedLadder ladder = thousandth(three_rungs(Objective::cost));
   const std::string said = lines_text(answer_lines({ladder.rungs[2]}, ladder));
-  EXPECT_TRUE(testing::has(said, "First: C: cost 0.03 kg, "));
+  EXPECT_TRUE(testing::has(said, "Best: C: cost 0.03 kg, "));
   EXPECT_TRUE(testing::has(said, "Two (B): cost 0.0125 kg, "));
-  EXPECT_TRUE(testing::has(said, "at cost 0.0125 kg\n"));
+  EXPECT_TRUE(testing::has(said, "Two (B), cost 0.0125 kg\n"));
 }
 
 TEST(LadderTable, HasACostOfGramsInKilograms) {
@@ -184,16 +183,16 @@ TEST(AlikeLines, NameAFewAndCountTheRest) {
   ListedDesign design = three_rungs().rungs[2];
   design.equivalent = {"D", "E", "F", "G", "H", "I"};
   EXPECT_EQ(lines_text(equivalent_lines({design})),
-            "Rank 1 is also D, E, F, G and 2 more: other bearings, which change nothing here\n");
+            "Equivalent variants of rank 1, with other bearings: D, E, F, G and 2 more\n");
 }
 
 TEST(LadderTable, HasGainsOverTheRungBeforeAndMarks) {
   EXPECT_EQ(text(Document{{ladder_section(three_rungs())}}),
-            "Best design with at most so many sheaths\n"
+            "Best design for each number of sheaths\n"
             "sheaths  name  routing  uniformity     gain     kept\n"
             "      1  -     A             0.500            62.5 %\n"
             "      2  Two   B             0.792  +58.4 %   99.0 %  knee, within 2 %\n"
-            "      4  -     C             0.800   +1.0 %  100.0 %  first\n");
+            "      4  -     C             0.800   +1.0 %  100.0 %  best\n");
 }
 
 TEST(LadderTable, HasNoGainBelowNothingOfWhatDoesNotChange) {

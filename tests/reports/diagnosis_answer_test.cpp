@@ -66,7 +66,7 @@ TEST(DiagnosisAnswer, SaysWhatMountingsItWouldTake) {
   EXPECT_FALSE(says(report, "believed"));
   scatter.relative = {0.59, 0.04, 2, 0.005};
   EXPECT_TRUE(says(report,
-                   "The model as it stands explains the data only if mountings differ by more than "
+                   "The nominal model explains the data only if mountings differ by more than "
                    "can be believed.\nCheck this first: it takes mountings that differ by 59 % in "
                    "the sheaths' exponents, 200 % in the bearings' exponents, more than"));
   scatter.given = true;
@@ -81,7 +81,7 @@ TEST(DiagnosisAnswer, SaysWhatReadingsItWouldTake) {
   EXPECT_FALSE(says(report, "believed"));
   report.result.noise.relative = 2;
   EXPECT_TRUE(says(report,
-                   "The model as it stands explains the data only if readings scatter by more than "
+                   "The nominal model explains the data only if readings scatter by more than "
                    "can be believed.\nCheck this first: it takes readings that scatter by 200 %, "
                    "more than those of any force sensor."));
   report.result.noise.source = NoiseSource::known;
@@ -110,8 +110,8 @@ TEST(DiagnosisAnswer, NamesACauseWithItsIntervalAndItsGain) {
   DiagnosisReport report = report_of(Verdict::cause);
   report.result.causes = {tubes()};
   EXPECT_TRUE(says(report,
-                   "The friction of the tubes differs: tube_friction, mu = 0.090 (0.087 to"
-                   " 0.093; the hardware says 0.180, literature 0.05 to 0.2)."));
+                   "The friction of the tubes differs: tube_friction, mu = 0.090 (95 % CI 0.087 to"
+                   " 0.093; nominal 0.180, literature 0.05 to 0.2)."));
   EXPECT_TRUE(says(report, "Nothing was held out"));
   report.result.held_out = HeldOut{1, 0.2, 0.8, 0.7, 0.9, 50, 40, 60, 50};
   report.result.held_out_runs = 2;
@@ -125,6 +125,30 @@ NamedCause other_sensor() {
   cause.meaning = "one sensor reads too much";
   cause.parameters = {{"gain", "1", 1.1, 1.05, 1.15, 1, std::nullopt}};
   return cause;
+}
+
+TEST(DiagnosisAnswer, SaysWhatOneRunAloneShows) {
+  DiagnosisReport report = report_of(Verdict::cause);
+  report.data.runs = {"1", "2"};
+  report.data.readings.resize(2);
+  report.data.readings[1].run = 1;
+  report.result.causes = {other_sensor()};
+  report.result.causes[0].only_run = "2";
+  ComparedCell of_run_1, of_run_2;
+  of_run_1.cell.reading = 0;
+  of_run_1.cell.measured_N = of_run_1.before_N = of_run_1.after_N = 9;
+  of_run_2.cell.reading = 1;
+  of_run_2.cell.measured_N = 5;
+  of_run_2.before_N = 1;
+  of_run_2.after_N = 4.5;
+  report.result.cells = {of_run_1, of_run_2};
+  EXPECT_TRUE(says(report,
+                   "Run 2 alone shows sensor_gain[T4], so a gain on runs that the model has not "
+                   "seen is not known; on run 2 residuals go from 4 N to 0.5 N.\n"))
+      << diagnosis_answer(report);
+  report.result.held_out = HeldOut{1, 0.2, 0.8, 0.7, 0.9, 50, 40, 60, 50};
+  EXPECT_TRUE(says(report, "Residuals on"));
+  EXPECT_TRUE(says(report, "Run 2 alone shows"));
 }
 
 // In log-likelihood, what each cause should gain on the held-out runs if it is right: 0 where they
@@ -197,8 +221,9 @@ TEST(DiagnosisAnswer, OfCausesThatCannotBeToldApartNamesThemAll) {
   DiagnosisReport report = report_of(Verdict::indistinguishable);
   report.result.causes = {tubes()};
   report.result.indistinguishable = {{"tube_friction", "wear", "temperature"}};
-  EXPECT_TRUE(says(report, "tube_friction, wear or temperature explains the data"));
-  EXPECT_TRUE(says(report, "No measurement that was looked at tells tube_friction from wear."));
+  EXPECT_TRUE(says(report, "Ambiguous: tube_friction, wear or temperature explains the data"));
+  EXPECT_TRUE(
+      says(report, "None of the candidate measurements separates tube_friction from wear."));
 }
 
 TEST(DiagnosisAnswer, OfWhatIsUnexplainedSaysWhere) {
@@ -212,9 +237,9 @@ TEST(DiagnosisAnswer, OfWhatIsUnexplainedSaysWhere) {
 
 // Alpha is 0.02, of which the test of what is left takes a quarter.
 TEST(DiagnosisAnswer, SaysThatNothingIsLeftOnlyWhereChanceGivesAsMuchOftenerThanAlpha) {
-  const std::string nothing = "Nothing else is left to explain";
+  const std::string nothing = "No further structure in the residuals";
   const std::string weak =
-      "\nWeak structure remains by strand: 0.003 N of 3.1 N, of no practical matter (p = 0.011), "
+      "\nWeak structure remains by strand: 0.003 N of 3.1 N, negligible (p = 0.011), "
       "which does not reach this test's threshold of 0.005.\n";
   for (const Verdict verdict : {Verdict::none, Verdict::cause, Verdict::indistinguishable}) {
     SCOPED_TRACE(verdict_name(verdict));
@@ -292,10 +317,13 @@ TEST(DiagnosisAnswer, SaysHowMuchEachCauseExplainsAndWhetherItMatters) {
   report.result.residual_before_N = 3.1;
   report.result.causes[0].explained = {3.1, 0.99};
   report.result.causes[1].explained = {0.03, 0.0001};
-  EXPECT_TRUE(says(report, "literature 0.05 to 0.2). It explains 3.1 N of 3.1 N.\nBesides, one "));
-  EXPECT_TRUE(says(report, "It explains 0.03 N of 3.1 N, of no practical matter.\n"));
+  EXPECT_TRUE(says(report,
+                   "literature 0.05 to 0.2). It explains 3.1 N rms of 3.1 N (99 % of the mean "
+                   "square).\nBesides, one "));
+  EXPECT_TRUE(
+      says(report, "It explains 0.03 N rms of 3.1 N (0.01 % of the mean square, negligible).\n"));
   report.result.causes[1].explained.rms_N = 0.2;
-  EXPECT_TRUE(says(report, "It explains 0.2 N of 3.1 N.\n"));
+  EXPECT_TRUE(says(report, "It explains 0.2 N rms of 3.1 N (0.01 % of the mean square).\n"));
 }
 
 TEST(DiagnosisAnswer, HasAtMostSixLinesAndKeepsTheRest) {

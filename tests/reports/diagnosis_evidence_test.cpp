@@ -79,13 +79,13 @@ TEST(Coefficients, AreWhatTheHardwareSaysOnlyWhereTheIntervalHasIt) {
   DiagnosisResult result;
   result.calibration = {tubes(0.14, 0.18, 0.3, false), tubes(0.12, 0.17, 0.034, false),
                         tubes(0.12, 0.17, 0.001, true)};
-  EXPECT_EQ(
-      coefficient_sentences(result),
-      (Sentences{"tube_friction: mu = 0.150 (0.140 to 0.180), agrees with the hardware (0.180)",
-                 "tube_friction: mu = 0.150 (0.120 to 0.170), perhaps differs from the "
-                 "hardware (0.180), too little to name it (p = 0.034)",
-                 "tube_friction: mu = 0.150 (0.120 to 0.170), differs from the hardware "
-                 "(0.180)"}));
+  EXPECT_EQ(coefficient_sentences(result),
+            (Sentences{
+                "tube_friction: mu = 0.150 (0.140 to 0.180), agrees with the nominal value (0.180)",
+                "tube_friction: mu = 0.150 (0.120 to 0.170), perhaps differs from the "
+                "nominal value (0.180), too little to name it (p = 0.034)",
+                "tube_friction: mu = 0.150 (0.120 to 0.170), differs from the nominal "
+                "value (0.180)"}));
 }
 
 TEST(DiagnosisEvidence, SaysHowMuchIsLeftOverAStretchThatStandsApartAndOverOthers) {
@@ -102,7 +102,7 @@ TEST(DiagnosisEvidence, ComparesAStretchWithTheModelAsItStandsWhereNothingExtend
   DiagnosisReport report = report_of_stretches();
   report.result.losses.resize(1);
   EXPECT_EQ(loss_sentences(report),
-            Sentences{"TR1, T1 to T2: 0.500 of the tension is left, where the model as it stands "
+            Sentences{"TR1, T1 to T2: 0.500 of the tension is left, where the nominal model "
                       "has 0.750: this contact, or this reading, is not like the others."});
 }
 
@@ -182,26 +182,37 @@ TEST(DiagnosisEvidence, HasTheNumbersOfTheAnswerInItsTablesToTheDigit) {
   report.result.weighed = {{{"tube_friction"}, 357.96, held_out}};
   const std::string text = reports::text(diagnosis_document(report));
   EXPECT_TRUE(testing::has(text, "fall by 90 % (88 % to 90 %): from 8.4 N to 0.84 N"));
-  EXPECT_TRUE(testing::has(text, "in fewer than 0.1 % of data sets"));
+  EXPECT_TRUE(testing::has(text, "The improvement is significant (p < 0.001).\n"));
   const auto line_with = [&](const std::string& beginning) {
     const std::size_t at = text.find(beginning);
     return at == std::string::npos ? "" : text.substr(at, text.find('\n', at) - at);
   };
   EXPECT_TRUE(testing::has(line_with("tube_friction  7.5 N of 8.4 N  mu"), " < 0.001 ")) << text;
-  EXPECT_TRUE(testing::has(line_with("tube_friction       8.4 N     0.84 N       90 %"),
+  EXPECT_TRUE(testing::has(line_with("tube_friction           8.4 N       0.84 N       90 %"),
                            "206    63.2 to 349"))
       << text;
   EXPECT_TRUE(testing::has(line_with("tube_friction           358"), "206")) << text;
+}
+
+TEST(DiagnosisEvidence, SaysHowRunsWereForecast) {
+  DiagnosisReport report;
+  report.result.rows = 12;
+  report.result.runs = 3;
+  EXPECT_EQ(reports::used_text(report), "12 readings in 3 runs");
+  report.result.held_out_runs = 3;
+  EXPECT_EQ(reports::used_text(report),
+            "12 readings in 3 runs, each run forecast once by a model fitted without it");
+  report.settings.hold_out = 0.3;
+  report.result.held_out_runs = 1;
+  EXPECT_EQ(reports::used_text(report), "12 readings in 3 runs, 1 of them held out");
 }
 
 // Of 1000 replicates. Chances of coefficients do not come from them and may lie just above.
 TEST(DiagnosisEvidence, GivesAChanceAsABoundOnlyWhereReplicatesShowNoSmallerOne) {
   EXPECT_EQ(reports::p_number(1.0 / 1001, 1000), "< 0.001");
   EXPECT_EQ(p_text(1.0 / 1001, 1000), "p < 0.001");
-  EXPECT_EQ(chance_text(1.0 / 1001, 1000), "in fewer than 0.1 % of data sets");
   EXPECT_EQ(reports::p_number(0.0011, 1000), "0.0011");
   EXPECT_EQ(p_text(0.0011, 1000), "p = 0.0011");
-  EXPECT_EQ(chance_text(0.0011, 1000), "in about 0.11 % of data sets");
 }
 
 TEST(DiagnosisEvidence, SaysHowSingleRunsMoveTheSizes) {
@@ -219,10 +230,11 @@ TEST(DiagnosisEvidence, SaysHowSingleRunsMoveTheSizes) {
                       "between 0.060 and 0.095; run Tuesday moves it farthest."});
   // Below the causes, whether any reading has all strands or not.
   const std::string document = text(diagnosis_document(report));
-  const std::size_t causes = document.find("Causes, what explains most of the residuals first");
+  const std::size_t causes =
+      document.find("Causes, by the share of the residuals that they explain");
   ASSERT_NE(causes, std::string::npos);
   EXPECT_LT(document.find("With any one run left out", causes),
-            document.find("stretch by stretch"));
+            document.find("from sensor to sensor"));
 }
 
 TEST(DiagnosisEvidence, SaysWherePublishedLinesLoseOtherwiseThanTheirEquations) {
@@ -247,12 +259,12 @@ TEST(DiagnosisEvidence, SaysWherePublishedLinesLoseOtherwiseThanTheirEquations) 
   const Sentences sentences = published_sentences(report);
   ASSERT_EQ(sentences.size(), 2U);
   EXPECT_EQ(sentences[0],
-            "The lines that are published (Fig. 9, mu = 0.18) are off by 13.6 % on average, the "
-            "equations with that coefficient by 8.1 %.");
+            "The published lines (Fig. 9, mu = 0.18) have a mean error of 13.6 %, the "
+            "equations with that coefficient one of 8.1 %.");
   EXPECT_EQ(sentences[1],
-            "TR1, T1 to T2, as ln of the ratio: the lines lose 0.57 with 1 of the 2 sheaths that "
-            "the equations have, the equations 2.26, the readings 0.69; 2 sheaths of mu = 0.090 "
-            "add up to 0.180, and 1 of 0.18 to 0.18.");
+            "TR1, T1 to T2, ln of the ratio: printed line 0.57 (1 sheath), equations 2.26 "
+            "(2 sheaths), measured 0.69; 2 sheaths of mu = 0.090 add up to 0.180, and 1 of 0.18 "
+            "to 0.18.");
 }
 
 }  // namespace

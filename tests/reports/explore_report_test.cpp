@@ -19,10 +19,10 @@ TEST(ExploreDocument, SaysWhatOrdersWithinAFrontWhereItIsTheScore) {
   EXPECT_FALSE(testing::has(text(explore_document(report)), "the score"));
   report.options.order.by_score = true;
   report.options.score = parse_score("uniformity=2");
-  EXPECT_TRUE(
-      testing::has(text(explore_document(report)),
-                   "Front by front over uniformity_mean, efficiency_mean, within a front by the "
-                   "score, the weighted mean of uniformity_mean=2 (greater is better)\n"));
+  EXPECT_TRUE(testing::has(
+      text(explore_document(report)),
+      "Sorted by Pareto front (uniformity_mean, efficiency_mean), within a front by the "
+      "score, the weighted mean of uniformity_mean=2 (greater is better)\n"));
 }
 
 TEST(ExploreDocument, PutsEachGeneratedRoutingInOneClass) {
@@ -103,6 +103,17 @@ TEST(StoredRankingDocument, HasTheNotesOfItsExploration) {
   EXPECT_EQ(Json::parse(stored_ranking_json(ranking))["notes"].size(), 2U);
 }
 
+TEST(StoredRankingDocument, SaysThatGraspsTellMotorsApart) {
+  StoredRanking ranking;
+  ExploreOptions& options = ranking.report.options;
+  options.generator.fingers = 2;
+  options.grasps = parse_grasps("none@1,0.5", 2, 2);
+  const char* note = "Note: the grasps tell the motors apart";
+  EXPECT_TRUE(testing::has(text(stored_ranking_document(ranking, {})), note));
+  options.generator.identity = FingerIdentity::distinct;
+  EXPECT_FALSE(testing::has(text(stored_ranking_document(ranking, {})), note));
+}
+
 // What statics say of one tendon, and what they do not say of two.
 TEST(ExploreDocument, SaysWhichDesignsRestOnHowTheirTendonsShare) {
   ExploreReport report;
@@ -118,8 +129,7 @@ TEST(ExploreDocument, SaysWhichDesignsRestOnHowTheirTendonsShare) {
   report.top.push_back(listed("M-1-F+M-2-F", 3));
   EXPECT_TRUE(testing::has(text(explore_document(report)),
                            "\nRank 3 has several tendons on one carriage: their "
-                           "shares of its pull are those of tendons of one "
-                           "stiffness that are mounted without slack;"));
+                           "shares of its pull assume equal stiffness and no slack;"));
   report.top.push_back(listed("M-1-M+M-2-F", 4));
   EXPECT_TRUE(testing::has(text(explore_document(report)), "\nRanks 3 and 4 have several tendons"));
 }

@@ -57,11 +57,10 @@ TEST(HandSections, GiveNoStrokeOfACarriageThatCannotMove) {
   EXPECT_FALSE(testing::has(said, "Stroke 0"));
   EXPECT_FALSE(testing::has(said, "stroke of 30 mm"));
   const Json motor = motor_of("M-F+M-1-F+M-2-M", 30, 2);
-  for (const char* key : {"stroke_mm", "speed_mm_s", "stroke_is_enough", "spool_rpm"}) {
+  for (const char* key : {"stroke_mm", "speed_mm_s", "spool_rpm"}) {
     EXPECT_TRUE(motor[key].is_null()) << key;
   }
   EXPECT_EQ(motor["closure"], 0);
-  EXPECT_TRUE(motor_of("M-1-T-2-F", 60, 2)["stroke_is_enough"].get<bool>());
 }
 
 TEST(HandSections, NameTheFingersThatCloseLeastWhereOthersCloseMore) {

@@ -23,7 +23,7 @@ TEST(JamWords, SayWhichFingersHaveToBeHeld) {
 }
 
 TEST(JamWords, SayInHowManyGraspsItJams) {
-  EXPECT_EQ(jam_sentence({}, jamming_in(0), 3), "It never jams");
+  EXPECT_EQ(jam_sentence({}, jamming_in(0), 3), "It never jams unless all fingers are held");
   EXPECT_EQ(jam_sentence({Grasp{}}, jamming_in(7), 3), "It jams in every grasp");
   EXPECT_EQ(jam_sentence({hold({1, 2}), hold({3, 4})}, jamming_in(6), 4),
             "It jams when fingers 1 and 2 are both held, or fingers 3 and 4 are both held "

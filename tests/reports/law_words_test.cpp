@@ -251,9 +251,10 @@ TEST(LawsOfADiagnosis, StandBesideItsCausesWithAllTheirParts) {
   const Json& law = json["laws"][0];
   std::string keys;
   for (const auto& [key, value] : law.items()) keys += key + " ";
-  EXPECT_EQ(keys,
-            "name explained parameters held_out p_value evidence probability folds runner_up "
-            "partial_residuals site acts_on covariate form middle range formula text ");
+  EXPECT_EQ(
+      keys,
+      "name explained parameters held_out only_run p_value evidence probability folds runner_up "
+      "partial_residuals site acts_on covariate form middle range formula text ");
   EXPECT_EQ(law["name"], "law[exponent of sheath, humidity_pct, linear]");
   EXPECT_EQ(law["site"], "sheath");
   EXPECT_EQ(law["formula"], "phi' = phi (1 + 0.0083 (humidity_pct - 50))");

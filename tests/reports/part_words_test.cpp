@@ -18,6 +18,17 @@ TEST(PartsText, CountsOneBlockAndMore) {
   EXPECT_FALSE(has(parts_text(search::paper_parts()), "block"));
 }
 
+TEST(PartsText, NamesSeveralMotorsAndJoinsBesideEnds) {
+  PartSet parts = search::paper_parts();
+  EXPECT_FALSE(parts_json(parts).contains("motors"));
+  EXPECT_FALSE(parts_json(parts).contains("beside_ends"));
+  parts.motors = 2;
+  parts.beside = search::parse_joins("B,P");
+  EXPECT_EQ(parts_text(parts), "tips tube; joins T, P; ends M, F; 2 motors; beside ends B, P");
+  EXPECT_EQ(parts_json(parts)["motors"], 2);
+  EXPECT_EQ(parts_json(parts)["beside_ends"], "B,P");
+}
+
 TEST(LeftOutText, NamesThePartsAndTheOptionThatAsksForThem) {
   EXPECT_EQ(
       left_out_text({false, 2, 4, 5333880, 2000000}),

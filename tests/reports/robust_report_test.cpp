@@ -22,9 +22,10 @@ TEST(RobustReport, SaysWhatEachOfTwoDesignsLoses) {
   const RobustFirst first{drawn("M-1-F", 0.5, 0.2), drawn("F-1-M", 0.4, 0.25), false, true};
   const auto lines = reports::robust_lines(first);
   ASSERT_EQ(lines.size(), 1U);
-  EXPECT_EQ(lines[0].text,
-            "Robust best: F-1-M: 5 % quantile of uniformity × efficiency over the draws 0.250, "
-            "where the first has 0.200 (-20.0 %); nominal 0.400 (-20.0 %)");
+  EXPECT_EQ(
+      lines[0].text,
+      "Most robust design over the draws: F-1-M: 5 % quantile of uniformity × efficiency 0.250 "
+      "(best: 0.200, -20.0 %); nominal 0.400 (-20.0 %)");
   const Json json = reports::robust_json(first);
   EXPECT_EQ(json["by"], "product");
   EXPECT_EQ(json["over"], "draws");
@@ -38,9 +39,10 @@ TEST(RobustReport, SaysWhereBothAreOneDesign) {
   const RobustDesign one = drawn("M-1-F", 0.5, 0.2);
   const auto lines = reports::robust_lines(RobustFirst{one, one, false, false});
   ASSERT_EQ(lines.size(), 1U);
-  EXPECT_EQ(lines[0].text,
-            "Robust best, too: 5 % quantile of uniformity × efficiency over contacts that are not "
-            "alike 0.200, nominal 0.500");
+  EXPECT_EQ(
+      lines[0].text,
+      "It is also the most robust design if friction differs between contacts: product of the 5 % "
+      "quantiles of uniformity and efficiency 0.200, nominal 0.500");
 }
 
 TEST(RobustReport, HasNothingToSayOfNothing) {

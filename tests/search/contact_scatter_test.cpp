@@ -44,7 +44,7 @@ TEST(ContactScatter, MakesTheMostUniformRoutingAsUnevenAsAnIndependentModelSays)
   EXPECT_NEAR(band.median, 0.92, 0.006);
   EXPECT_NEAR(band.high, 0.97, 0.006);
   const std::vector<double> reference =
-      scattered_uniformities("1-P-2-P-1", {{}, {1}, {2}}, paper_hardware(), {}, 2000, 5);
+      scattered_objectives("1-P-2-P-1", {{}, {1}, {2}}, paper_hardware(), {}, 2000, 5).uniformity;
   EXPECT_NEAR(band.low, quantile_of(reference, 0.05), 0.006);
   EXPECT_NEAR(band.median, quantile_of(reference, 0.5), 0.004);
   EXPECT_NEAR(band.high, quantile_of(reference, 0.95), 0.003);
@@ -54,7 +54,7 @@ TEST(ContactScatter, OfARoutingWithBlocksIsAsAnIndependentModelSays) {
   const std::string word = "M-Y1+F-1b-Y1-2b-F";
   const Band band = uniformity_band(word, contacts_alone(2000));
   const std::vector<double> reference =
-      scattered_uniformities(word, {{}, {1}, {2}}, paper_hardware(), {}, 800, 6);
+      scattered_objectives(word, {{}, {1}, {2}}, paper_hardware(), {}, 800, 6).uniformity;
   EXPECT_NEAR(band.low, quantile_of(reference, 0.05), 4e-4);
   EXPECT_NEAR(band.median, quantile_of(reference, 0.5), 2e-4);
   EXPECT_NEAR(band.high, quantile_of(reference, 0.95), 3e-4);

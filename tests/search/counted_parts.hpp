@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "search/enumerate/parts.hpp"
@@ -23,7 +24,18 @@ inline CountedParts counted(const PartSet& parts) {
 }
 
 inline CountedTreeParts counted_with_trees(const PartSet& parts) {
-  return {counted(parts), parts.anchored};
+  const auto motor_beside =
+      static_cast<int>(std::count_if(parts.beside.begin(), parts.beside.end(), is_on_carriage));
+  return {counted(parts), parts.anchored, parts.motors,
+          static_cast<int>(parts.beside.size()) - motor_beside, motor_beside};
+}
+
+// All, actuated, actuated and one tree.
+using RoutingNumbers = std::vector<std::uint64_t>;
+
+template <typename Counts>
+RoutingNumbers numbers_of(const Counts& counts) {
+  return {counts.all, counts.actuated, counts.one_tendon};
 }
 
 }  // namespace reeve::testing

@@ -42,6 +42,16 @@ inline PartSet with_blocks(PartSet parts, int blocks) {
   return parts;
 }
 
+inline PartSet with_motors(PartSet parts, int motors) {
+  parts.motors = motors;
+  return parts;
+}
+
+inline PartSet with_beside(PartSet parts, const char* joins) {
+  parts.beside = parse_joins(joins);
+  return parts;
+}
+
 inline GeneratorOptions generating(const PartSet& parts, int fingers, FingerIdentity identity,
                                    bool one_tendon = false) {
   return {parts, fingers, identity, one_tendon};
@@ -63,6 +73,8 @@ inline std::string label_of(const GeneratorOptions& o) {
   return tips_text(o.parts) + " " + joins_text(o.parts) + " " + ends_text(o.parts) +
          (o.parts.anchored ? " x" : "") + ", " +
          (o.parts.blocks > 0 ? std::to_string(o.parts.blocks) + " blocks, " : "") +
+         (o.parts.beside.empty() ? "" : "beside " + beside_text(o.parts) + ", ") +
+         (o.parts.motors > 1 ? std::to_string(o.parts.motors) + " motors, " : "") +
          std::to_string(o.fingers) + (o.identity == distinct ? " distinct" : "") + " fingers" +
          (o.one_tendon ? ", one tendon" : "");
 }

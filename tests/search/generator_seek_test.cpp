@@ -64,6 +64,8 @@ TEST(Generator, SeekGoesToAnyIndexOfAnchoredTipsAndBlocks) {
       expect_seek_everywhere(generating(parts, fingers, identical, one_tendon));
       if (fingers < 3) expect_seek_everywhere(generating(parts, fingers, distinct, one_tendon));
     }
+    const PartSet beside = with_beside(with_blocks(anchored(paper_parts()), 1), "P");
+    expect_seek_everywhere(generating(beside, 2, identical, one_tendon));
     for (const PartSet& parts : odd_parts()) {
       expect_seek_everywhere(generating(with_blocks(parts, 2), 3, identical, one_tendon));
       expect_seek_everywhere(generating(anchored(parts), 3, distinct, one_tendon));

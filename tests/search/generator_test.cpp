@@ -64,6 +64,20 @@ TEST(Generator, RoutingsWithAnchoredTipsAreCanonicalAndInOrderToo) {
   }
 }
 
+TEST(Generator, RoutingsWithJoinsBesideEndsAreCanonicalAndInOrderToo) {
+  for (const bool one_tendon : {false, true}) {
+    for (const char* joins : {"P", "T,B,P"}) {
+      for (const PartSet& parts : {paper_parts(), anchored(paper_parts())}) {
+        const PartSet beside = with_beside(parts, joins);
+        for (int fingers = 1; fingers <= 3; ++fingers) {
+          expect_good_routings(generating(beside, fingers, identical, one_tendon));
+        }
+        expect_good_routings(generating(beside, 2, distinct, one_tendon));
+      }
+    }
+  }
+}
+
 TEST(Generator, RoutingsWithAnchoredTipsOfTwoFingers) {
   EXPECT_EQ(generated_words(generating(anchored(parts_of("tube", "T", "M")), 2, identical)),
             (std::vector<std::string>{"M-1-T-2x", "M-1-T-2-M", "1x-T-2x", "1-T-2-T-1", "M-1x+M-2x",

@@ -19,7 +19,8 @@ const std::string all_names =
     "jams, jams_all, sheaths, pulleys, knots, travel, round_trip_efficiency, adaptability, torsional_balance, "
     "reliability, authors_efficiency, transmission, score, blocks, finger_uniformity_mean, "
     "finger_uniformity_worst, parts, cost, uniformity_p5, efficiency_p5, motor_force, fingertip_force_mean, "
-    "fingertip_force_worst, stroke, closure, motor_power";
+    "fingertip_force_worst, stroke, closure, motor_power, or for means uniformity, efficiency, "
+    "finger_uniformity, fingertip_force";
 
 std::string objectives_message(const std::string& text) {
   return testing::input_error([&] { parse_objectives(text); });

@@ -49,10 +49,13 @@ TEST(Parts, UnknownAndEmptyItemsAndBlanksAreNamedWithWhatWasExpected) {
   const std::string ends = "': expected a comma-separated list of M, F";
   EXPECT_EQ(error(parse_tips, "tube,ring"), "tips 'tube,ring': 'ring" + tips);
   EXPECT_EQ(error(parse_tips, "tube,"), "tips 'tube,': '" + tips);
-  EXPECT_EQ(error(parse_joins, "T,X,P"), "joins 'T,X,P': 'X" + joins);
-  EXPECT_EQ(error(parse_joins, ","), "joins ',': '" + joins);
-  EXPECT_EQ(error(parse_joins, "T, P"), "joins 'T, P': ' P" + joins);
-  EXPECT_EQ(error(parse_ends, "m"), "ends 'm': 'm" + ends);
+  const auto plain_joins = [](const char* text) { return parse_joins(text); };
+  const auto joins_beside = [](const char* text) { return parse_joins(text, "beside-ends"); };
+  EXPECT_EQ(error(plain_joins, "T,X,P"), "joins 'T,X,P': 'X" + joins);
+  EXPECT_EQ(error(plain_joins, ","), "joins ',': '" + joins);
+  EXPECT_EQ(error(plain_joins, "T, P"), "joins 'T, P': ' P" + joins);
+  EXPECT_EQ(error(joins_beside, "M"), "beside-ends 'M': 'M" + joins);
+  EXPECT_EQ(error(parse_ends, "m"), "ends 'm': 'm" + ends + "; did you mean M?");
   EXPECT_EQ(error(parse_ends, "M,,F"), "ends 'M,,F': '" + ends);
 }
 
@@ -70,10 +73,27 @@ TEST(Parts, SomeRoutingMustBePossible) {
   EXPECT_NO_THROW(validate({paper.tips, {}, paper.ends}));
 }
 
-TEST(Parts, PassivePartsLackWhatHangsOnTheCarriage) {
-  EXPECT_EQ(text_of(passive_parts(full_parts())), "tube,bearing; T,B; F");
-  EXPECT_EQ(text_of(passive_parts({parse_tips("tube"), parse_joins("P"), parse_ends("M")})),
+TEST(Parts, WithoutCarriagesNothingHangsOnThem) {
+  EXPECT_EQ(text_of(with_carriages(full_parts(), 0)), "tube,bearing; T,B; F");
+  EXPECT_EQ(text_of(with_carriages({parse_tips("tube"), parse_joins("P"), parse_ends("M")}, 0)),
             "tube; ; ");
+}
+
+TEST(Parts, EachCarriageHasItsEndsAndPulleys) {
+  const PartSet parts = with_carriages(paper_parts(), 3);
+  EXPECT_EQ(parts.joins,
+            (std::vector<TokenKind>{TokenKind::tube_join, TokenKind::movable_pulley,
+                                    TokenKind::movable_pulley, TokenKind::movable_pulley}));
+  EXPECT_EQ(parts.ends.size(), 4U);
+}
+
+TEST(Parts, NoMotorAndMoreThanSixAreRefused) {
+  PartSet parts = paper_parts();
+  for (const int motors : {0, 7}) {
+    parts.motors = motors;
+    EXPECT_EQ(testing::input_error([&] { validate(parts); }),
+              "motors " + std::to_string(motors) + ": expected a number from 1 to 6");
+  }
 }
 
 }  // namespace

@@ -41,6 +41,9 @@ inline void expect_same_counts(const ExploreResult& a, const ExploreResult& b) {
   EXPECT_EQ(a.total, b.total);
   EXPECT_EQ(a.generated, b.generated);
   EXPECT_EQ(a.evaluated, b.evaluated);
+  EXPECT_EQ(a.without_tensions.count, b.without_tensions.count);
+  EXPECT_EQ(a.without_tensions.example, b.without_tensions.example);
+  EXPECT_EQ(a.why_without_tensions, b.why_without_tensions);
   EXPECT_EQ(a.pruned, b.pruned);
   EXPECT_EQ(a.partial, b.partial);
   EXPECT_EQ(a.front_equals_left_out, b.front_equals_left_out);

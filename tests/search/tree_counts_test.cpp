@@ -7,26 +7,19 @@
 #include "search/enumerate/counting.hpp"
 #include "tests/search/counted_parts.hpp"
 #include "tests/search/generated.hpp"
+#include "tests/support/sanitizers.hpp"
 #include "tests/support/tree_brute_force.hpp"
 
 namespace reeve::testing {
 namespace {
 
-// All, actuated, actuated and one tree.
-using TreeCounts = std::vector<std::uint64_t>;
-
-template <typename Source>
-TreeCounts values(const Source& counts) {
-  return {counts.all, counts.actuated, counts.one_tendon};
-}
-
 // With exactly so many blocks, as the difference to fewer.
-TreeCounts exactly(PartSet parts, int blocks, int fingers, FingerIdentity identity) {
+RoutingNumbers exactly(PartSet parts, int blocks, int fingers, FingerIdentity identity) {
   parts.blocks = blocks;
-  TreeCounts counts = values(count_routings(parts, fingers, identity));
+  RoutingNumbers counts = numbers_of(count_routings(parts, fingers, identity));
   if (blocks == 0) return counts;
   parts.blocks = blocks - 1;
-  const TreeCounts fewer = values(count_routings(parts, fingers, identity));
+  const RoutingNumbers fewer = numbers_of(count_routings(parts, fingers, identity));
   for (std::size_t i = 0; i < counts.size(); ++i) counts[i] -= fewer[i];
   return counts;
 }
@@ -52,7 +45,7 @@ TEST(TreeCounts, TableOfAnchoredTipsAndBlocks) {
   };
   for (const Row& row : table) {
     for (int fingers = 1; fingers <= 5; ++fingers) {
-      const TreeCounts counts = exactly(row.parts, row.blocks, fingers, identical);
+      const RoutingNumbers counts = exactly(row.parts, row.blocks, fingers, identical);
       const auto column = static_cast<std::size_t>(fingers - 1);
       EXPECT_EQ(counts[0], row.all[column]) << row.blocks << " blocks, " << fingers;
       EXPECT_EQ(counts[1], row.actuated[column]) << row.blocks << " blocks, " << fingers;
@@ -86,8 +79,8 @@ TEST(TreeCounts, AreThoseOfThePowerSeries) {
       for (int fingers = 1; fingers <= 6; ++fingers) {
         for (int blocks = 0; blocks <= 4; ++blocks) {
           EXPECT_EQ(exactly(parts, blocks, fingers, identity),
-                    values(count_trees(counted_with_trees(parts), fingers, blocks,
-                                       identity == identical)))
+                    numbers_of(count_trees(counted_with_trees(parts), fingers, blocks,
+                                           identity == identical)))
               << label_of(generating(with_blocks(parts, blocks), fingers, identity));
         }
       }
@@ -96,9 +89,9 @@ TEST(TreeCounts, AreThoseOfThePowerSeries) {
 }
 
 void expect_brute_force(const PartSet& parts, int fingers, int blocks, FingerIdentity identity) {
-  EXPECT_EQ(
-      exactly(parts, blocks, fingers, identity),
-      values(brute_force_trees(counted_with_trees(parts), fingers, blocks, identity == identical)))
+  EXPECT_EQ(exactly(parts, blocks, fingers, identity),
+            numbers_of(brute_force_trees(counted_with_trees(parts), fingers, blocks,
+                                         identity == identical)))
       << label_of(generating(with_blocks(parts, blocks), fingers, identity));
 }
 
@@ -110,6 +103,30 @@ TEST(TreeCounts, AreThoseOfBruteForce) {
           expect_brute_force(parts, fingers, blocks, identity);
         }
       }
+    }
+  }
+}
+
+TEST(TreeCounts, OfJoinsBesideEndsAreThoseOfBruteForce) {
+  SKIP_UNDER_SANITIZERS();
+  for (const FingerIdentity identity : {identical, distinct}) {
+    for (const char* joins : {"P", "T,P"}) {
+      for (const PartSet& parts :
+           {anchored(paper_parts()), parts_of("tube", "P", "F"), parts_of("tube", "", "M"),
+            anchored(parts_of("tube", "T", ""))}) {
+        for (int blocks = 0; blocks <= 1; ++blocks) {
+          const PartSet beside = with_beside(parts, joins);
+          expect_brute_force(beside, 1, blocks, identity);
+          if (beside.beside.size() == 1) expect_brute_force(beside, 2, blocks, identity);
+        }
+      }
+    }
+    expect_brute_force(with_beside(parts_of("tube", "T", "M,F"), "P"), 2, 2, identity);
+    expect_brute_force(with_beside(anchored(parts_of("tube", "", "F")), "P"), 3, 2, identity);
+    const PartSet of_two_motors =
+        with_motors(with_beside(anchored(parts_of("tube", "P", "F")), "P"), 2);
+    for (int blocks = 0; blocks <= 1; ++blocks) {
+      expect_brute_force(of_two_motors, 2, blocks, identity);
     }
   }
 }

@@ -33,6 +33,14 @@ std::vector<GeneratorOptions> small_searches() {
     }
     searches.push_back(generating(tied(paper_parts(), 4), 2, identical, one_tree));
     searches.push_back(generating(tied(full_parts(), 2), 2, distinct, one_tree));
+    for (const char* joins : {"P", "T,B,P"}) {
+      const PartSet beside = with_beside(tied(paper_parts(), 1), joins);
+      const PartSet few = with_beside(tied(parts_of("tube", "T", "F"), 2), joins);
+      searches.push_back(generating(beside, 1, identical, one_tree));
+      searches.push_back(generating(beside, 2, identical, one_tree));
+      searches.push_back(generating(few, 2, distinct, one_tree));
+      if (few.beside.size() == 1) searches.push_back(generating(few, 3, identical, one_tree));
+    }
     for (const PartSet& parts : odd_parts()) {
       searches.push_back(generating(tied(parts, 2), 3, identical, one_tree));
       searches.push_back(generating(tied(parts, 2), 2, distinct, one_tree));
@@ -87,6 +95,21 @@ TEST(TreeGenerator, KnownTreesAreAmongTheRoutings) {
   std::uint64_t found = 0;
   for_each_generated(generating(tied(parts_of("tube", "T", "M"), 3), 4, identical),
                      [&](const Routing& routing) { found += routing == hand ? 1 : 0; });
+  EXPECT_EQ(found, 1U);
+}
+
+TEST(TreeGenerator, JoinsBesideEndsAndTails) {
+  EXPECT_EQ(
+      generated_words(
+          generating(with_beside(tied(parts_of("tube", "", "F"), 1), "P"), 1, identical)),
+      (std::vector<std::string>{"F-1x", "F-1-F", "F-1-P-F", "F-P-1x", "F-P-1-P-F", "F-P-Y1+1-Y1-1",
+                                "F-P-Y1+F-Y1-1x", "F-P-Y1+F-P-Y1-1x", "F-P-Y1+F-1-Y1-F",
+                                "F-P-Y1+F-1-Y1-P-F", "F-P-Y1+F-Y1-1-P-F", "F-P-Y1+F-P-1-Y1-P-F"}));
+  const Routing hand = canonical(parse_routing("Y1-P-Y2+1x-Y1-2x+3x-Y2-4x"), identical);
+  std::uint64_t found = 0;
+  for_each_generated(
+      generating(with_beside(tied(parts_of("tube", "T", "M"), 2), "P"), 4, identical),
+      [&](const Routing& routing) { found += routing == hand ? 1 : 0; });
   EXPECT_EQ(found, 1U);
 }
 

@@ -161,6 +161,30 @@ TEST(SizeSpace, WhatIsEqualToTheSameIsEqual) {
             "sheath_angle[1,2,3]");
 }
 
+TEST(SizeSpace, TakesAContactInEitherOrderUnlessTwoJoinItsSegments) {
+  EXPECT_EQ(variables(space_of("M-1-T-2-F", {"contact_angle[T3-T2]=1..2"})),
+            "contact_angle[T2-T3]");
+  EXPECT_EQ(variables(space_of("M-1-T-2-F", {"contact_angle[T2-T1]=1..2"})),
+            "contact_angle[T1-T2]");
+  EXPECT_EQ(variables(space_of("M-Y1+1-Y1-1", {"contact_angle[T2-T1]=1..2"})),
+            "contact_angle[T2-T1]");
+  EXPECT_EQ(variables(space_of("M-Y1+1-Y1-1",
+                               {"contact_angle[T1-T2]=1..2", "contact_angle[T2-T1]=1..3"})),
+            "contact_angle[T1-T2] contact_angle[T2-T1]");
+  EXPECT_EQ(error_of("M-1-T-2-F", {"contact_angle[T1-T2]=1..2", "contact_angle[T2-T1]=1..3"}),
+            "vary 'contact_angle[T2-T1]=1..3': what vary 'contact_angle[T1-T2]=1..2' varies is "
+            "varied again");
+}
+
+TEST(SizeSpace, SetsAContactUnderTheNameThatTheHardwareHas) {
+  Hardware hardware;
+  hardware.contacts = {{"T2", "T1", 0.1, {}}};
+  const SizeSpace space = space_of("M-1-F", {"contact_angle[T1-T2]=1..2"}, {}, hardware);
+  set(hardware, space.dimensions.at(0).dimension, 1.5);
+  ASSERT_EQ(hardware.contacts.size(), 1U);
+  EXPECT_EQ(hardware.contacts[0].angle_rad, 1.5);
+}
+
 TEST(SizeSpace, IsRefusedWhereNothingCanBeVariedSo) {
   EXPECT_EQ(error_of("M-1-T-2-F", {"sheath_angle[2]=3..9"}),
             "vary 'sheath_angle[2]=3..9': expected dimensions of M-1-T-2-F: sheath_angle[1], "

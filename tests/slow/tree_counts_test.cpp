@@ -1,4 +1,5 @@
-// Two floating blocks on three fingers, by every way to tie their parts together.
+// Two floating blocks on three fingers, and two motors on four, by every way to tie their parts
+// together.
 #include <gtest/gtest.h>
 
 #include "search/enumerate/counting.hpp"
@@ -24,6 +25,16 @@ void expect_brute_force(PartSet parts, FingerIdentity identity) {
 TEST(TreeCountsOfThreeFingersAndTwoBlocks, AreThoseOfBruteForce) {
   expect_brute_force(full_parts(), FingerIdentity::identical);
   expect_brute_force(paper_parts(), FingerIdentity::distinct);
+}
+
+TEST(MotorCountsOfFourFingers, AreThoseOfBruteForce) {
+  PartSet parts = paper_parts();
+  parts.motors = 2;
+  const BruteForceCounts expected = brute_force_trees(counted_with_trees(parts), 4, 0, true);
+  const auto counts = count_routings(parts, 4, FingerIdentity::identical);
+  EXPECT_EQ(counts.all, expected.all);
+  EXPECT_EQ(counts.actuated, expected.actuated);
+  EXPECT_EQ(counts.one_tendon, expected.one_tendon);
 }
 
 }  // namespace

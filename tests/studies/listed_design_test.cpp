@@ -1,4 +1,4 @@
-// Tests the best listed design that never jams, and the robust best.
+// Tests the best listed design that never jams, and the most robust design.
 #include "studies/listed_design.hpp"
 
 #include <gtest/gtest.h>

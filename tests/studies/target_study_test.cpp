@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
@@ -131,6 +132,27 @@ TEST(Target, IsNotMetByStaticsOfSeveralTendons) {
     if (design.sized.word.find('+') == std::string::npos) continue;
     EXPECT_TRUE(std::isinf(design.static_miss)) << design.sized.word;
   }
+}
+
+// 1x-P-2x halves by statics, but each finger has a sheath of its own. ln T1 - ln T2 is then normal
+// with the deviation σ φ √2; to first order √2/4 of it is missed, of which 1.96 is the quantile.
+TEST(Target, IsFirstMetByWhatNeedsNoTwoContactsAlike) {
+  ExploreOptions options = explored(all_parts(), 2);
+  options.constraints = {parse_constraint("blocks<=1"), parse_constraint("sheaths<=2")};
+  options.generator.parts.joins = parse_joins("P");
+  SizingOptions sizing = aiming_at("others=1", 2, {});
+  const TargetReport report = target_study(options, sizing, shipped_catalogue());
+  EXPECT_EQ(report.designs.front().sized.word, "M-Y1+1x-Y1-2x");
+  EXPECT_LE(report.designs.front().unlike.miss, 1e-4);
+  const auto pulley =
+      std::find_if(report.designs.begin(), report.designs.end(),
+                   [](const TargetedDesign& design) { return design.sized.word == "1x-P-2x"; });
+  ASSERT_NE(pulley, report.designs.end());
+  EXPECT_TRUE(pulley->is_by_statics());
+  const double phi = 0.18 * 2 * std::numbers::pi;
+  const double quantile = 1.96 * 0.04 * phi * std::sqrt(2.0) * std::sqrt(2.0) / 4;
+  EXPECT_GT(pulley->unlike.miss, 0.6 * quantile);
+  EXPECT_LT(pulley->unlike.miss, 1.6 * quantile);
 }
 
 TEST(Target, IsTheSameForAnyNumberOfThreads) {

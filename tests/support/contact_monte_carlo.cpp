@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tests/support/random_routing.hpp"
+#include "tests/support/reference_comparison.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -27,20 +28,32 @@ double uniformity_of(const ReferenceResult& result) {
   return least / greatest;
 }
 
+ReferenceHardware drawn_kinds(ReferenceHardware hardware, const KindRanges& ranges, Dice& dice) {
+  const auto about = [&](double value, double relative) {
+    return value * dice.real(1 - relative, 1 + relative);
+  };
+  hardware.tube.mu = dice.real(ranges.least_mu, ranges.greatest_mu);
+  hardware.sheath.mu = dice.real(ranges.least_mu, ranges.greatest_mu);
+  hardware.bearing.mu = about(hardware.bearing.mu, ranges.bearing_mu_relative);
+  hardware.sheath.angle = about(hardware.sheath.angle, ranges.sheath_angle_relative);
+  return hardware;
+}
+
 }  // namespace
 
-std::vector<double> scattered_uniformities(const std::string& word,
-                                           const std::vector<std::set<int>>& grasps,
-                                           const ReferenceHardware& hardware,
-                                           const ContactDeviations& deviations, std::size_t draws,
-                                           std::uint64_t seed) {
-  Dice dice(seed);
-  const double bearing_phi = hardware.bearing.mu * hardware.bearing.angle;
-  std::vector<double> uniformities;
+ScatteredObjectives scattered_objectives(const std::string& word,
+                                         const std::vector<std::set<int>>& grasps,
+                                         const ReferenceHardware& hardware,
+                                         const ContactDeviations& deviations, std::size_t draws,
+                                         std::uint64_t seed,
+                                         const std::optional<KindRanges>& ranges) {
+  ScatteredObjectives means;
   for (std::size_t d = 0; d < draws; ++d) {
+    Dice dice(seed * 1'000'003 + d);
+    ReferenceHardware drawn = ranges ? drawn_kinds(hardware, *ranges, dice) : hardware;
+    const double bearing_phi = drawn.bearing.mu * drawn.bearing.angle;
     // The same contacts in all grasps.
     std::map<std::pair<std::string, std::string>, double> z;
-    ReferenceHardware drawn = hardware;
     drawn.phi_override = [&](const std::string& left, const std::string& right, double phi) {
       const auto [found, is_new] = z.try_emplace({left, right}, 0.0);
       if (is_new) found->second = drawn_normal(dice);
@@ -48,13 +61,17 @@ std::vector<double> scattered_uniformities(const std::string& word,
       const double sigma = is_bearing ? deviations.bearing_relative : deviations.relative;
       return phi * std::max(1 + sigma * found->second, 0.0);
     };
-    double sum = 0;
+    double uniformity = 0;
+    double efficiency = 0;
     for (const std::set<int>& held : grasps) {
-      sum += uniformity_of(reference_tensions(word, held, ReferenceDirection::pull, drawn));
+      const auto result = reference_tensions(word, held, ReferenceDirection::pull, drawn);
+      uniformity += uniformity_of(result) / static_cast<double>(grasps.size());
+      efficiency += work_on_fingers(result) / static_cast<double>(grasps.size());
     }
-    uniformities.push_back(sum / static_cast<double>(grasps.size()));
+    means.uniformity.push_back(uniformity);
+    means.efficiency.push_back(efficiency);
   }
-  return uniformities;
+  return means;
 }
 
 }  // namespace reeve::testing

@@ -58,14 +58,21 @@ bool same_routing(const Graph& a, const Graph& b, std::size_t colours) {
                             ColourOf{&a}, ColourOf{&b}, colours, index_a, index_b);
 }
 
-void count_class(const Graph& graph, BruteForceCounts& counts) {
+void count_class(Graph graph, BruteForceCounts& counts) {
+  std::size_t carriages = 0;
+  for (Vertex v = 0; v < boost::num_vertices(graph); ++v) {
+    if (!graph[v].carriage) continue;
+    boost::clear_vertex(v, graph);
+    ++carriages;
+  }
   std::vector<std::size_t> component(boost::num_vertices(graph));
-  const std::size_t tendons = boost::connected_components(
+  const std::size_t components = boost::connected_components(
       graph,
       boost::make_iterator_property_map(component.begin(), boost::get(boost::vertex_index, graph)));
-  std::vector<bool> has_motor(tendons, false);
+  const std::size_t tendons = components - carriages;
+  std::vector<bool> has_motor(components, false);
   for (Vertex v = 0; v < component.size(); ++v)
-    if (graph[v].motor) has_motor[component[v]] = true;
+    if (graph[v].motor || graph[v].carriage) has_motor[component[v]] = true;
   const bool actuated = std::find(has_motor.begin(), has_motor.end(), false) == has_motor.end();
 
   counts.all += 1;

@@ -16,6 +16,7 @@ namespace reeve::testing {
 struct Part {
   std::size_t colour = 0;
   bool motor = false;
+  bool carriage = false;  // joins what hangs on one motor, and is no part of a tendon
 };
 using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Part>;
 using Vertex = Graph::vertex_descriptor;

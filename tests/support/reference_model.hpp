@@ -68,6 +68,11 @@ struct ReferenceHardware {
   std::map<int, double> carriage_travel = {};
   /// r of the ends at motors that have spools of their own, by segment; they travel r v_c D.
   std::map<std::string, double> spool = {};
+  /// Motor-side segments whose ends stand still and pull no motor.
+  std::set<std::string> locked = {};
+  /// s / D of the tendon that the segment belongs to: with m the travel of its motor sides, it
+  /// carries nothing while m <= s / D, and then has 1 - s / (m D) of E.
+  std::map<std::string, double> slack = {};
 };
 
 enum class ReferenceDirection { pull, release };

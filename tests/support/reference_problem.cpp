@@ -55,6 +55,7 @@ Vector lengths(const Tendon& tendon, const ReferenceHardware& hardware) {
 }
 
 double spool(const Segment& segment, const ReferenceHardware& hardware) {
+  if (hardware.locked.contains(segment.name)) return 0;
   const auto found = hardware.spool.find(segment.name);
   return found == hardware.spool.end() ? 1.0 : found->second;
 }
@@ -142,6 +143,15 @@ void impose_motion(const Tendon& tendon, const std::map<int, Real>& weights, Rea
 
 }  // namespace
 
+Real slack(const Tendon& tendon, const ReferenceHardware& hardware) {
+  Real sum = 0;
+  for (const Segment& segment : tendon.segments) {
+    const auto found = hardware.slack.find(segment.name);
+    if (found != hardware.slack.end()) sum += static_cast<Real>(found->second);
+  }
+  return sum;
+}
+
 Problem pose(const Tendon& tendon, const std::set<int>& held, ReferenceDirection direction,
              const ReferenceHardware& hardware) {
   Problem problem;
@@ -154,6 +164,11 @@ Problem pose(const Tendon& tendon, const std::set<int>& held, ReferenceDirection
                     [](const Segment& s) { return s.place == Place::motor_side; });
   Real motor_travel = 0;
   for (const Segment& segment : tendon.segments) motor_travel += travel(segment, hardware);
+  const Real loose = slack(tendon, hardware);
+  if (loose > 0 && motor_travel <= loose) {
+    problem.slip.setZero(problem.phi.size());
+    return problem;
+  }
   if (motor_travel < 0) throw std::invalid_argument("a finger would have to open");
   if (motor_sides == 0) throw std::invalid_argument("a tendon has no motor-side segment");
   std::map<int, Real> weights;
@@ -164,6 +179,7 @@ Problem pose(const Tendon& tendon, const std::set<int>& held, ReferenceDirection
     impose_jam(tendon, direction, hardware, problem);
   else
     impose_motion(tendon, weights, motor_travel, direction, hardware, problem);
+  if (loose > 0) problem.elastic *= 1 - loose / motor_travel;
   return problem;
 }
 

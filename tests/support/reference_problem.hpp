@@ -27,10 +27,14 @@ struct Problem {
 Vector lengths(const Tendon& tendon, const ReferenceHardware& hardware);
 Vector exponents(const Tendon& tendon, const ReferenceHardware& hardware);
 
+// 0 of a locked end.
 double spool(const Segment& segment, const ReferenceHardware& hardware);
 
 // r v_c; 0 of a segment that is no motor side.
 Real travel(const Segment& segment, const ReferenceHardware& hardware);
+
+// s / D of the whole tendon.
+Real slack(const Tendon& tendon, const ReferenceHardware& hardware);
 
 double weight(int finger, const ReferenceHardware& hardware);
 

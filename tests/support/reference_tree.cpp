@@ -208,11 +208,18 @@ std::vector<Tree> pose_trees(const std::vector<Tendon>& tendons, const std::set<
     Tree tree = TreeBuilder(tendons, hardware).build(group);
     if (std::count(tree.motor_side.begin(), tree.motor_side.end(), true) == 0)
       throw std::invalid_argument("the reference model: a tree has no motor-side segment");
+    Real loose = 0;
+    for (const std::size_t t : group) loose += slack(tendons[t], hardware);
+    if (loose > 0 && tree.motor.sum() <= loose) {
+      trees.push_back(std::move(tree));
+      continue;
+    }
     const Motion found = motion(tree, closing_weights(tree, held, hardware));
     if (found.possible)
       impose_motion(found, direction, tree);
     else
       impose_jam(direction, tree);
+    if (loose > 0) tree.elastic *= 1 - loose / tree.motor.sum();
     trees.push_back(std::move(tree));
   }
   return trees;

@@ -20,8 +20,9 @@ struct Port {
 
 constexpr std::size_t nothing = static_cast<std::size_t>(-1);
 
-// A port that is its own partner has an end of the kind `part`; two strands a join of that kind.
-// All other partners touch.
+// A port that is its own partner has an end, `part` % ends, and two strands a join of the kind
+// `part`. Partners of which one is a tail, and ends, touch, or have a join of the kind `part` - 1,
+// or `part` / ends - 1, between them; all other partners touch.
 struct Tie {
   std::size_t partner = nothing;
   std::size_t part = 0;
@@ -34,6 +35,9 @@ struct PortParts {
   std::size_t passive_joins;
   std::size_t ends;  // motor ones first
   std::size_t motor_ends;
+  std::size_t motors;  // for each kind on a carriage one kind after the other
+  std::size_t beside;  // passive ones first
+  std::size_t passive_beside;
 
   std::size_t fingers() const { return tips + (anchored ? 1 : 0); }
 };
@@ -44,10 +48,13 @@ PortParts port_parts(const CountedTreeParts& counted) {
   const CountedParts& parts = counted.parts;
   return {many(parts.tube_like_tips),
           counted.anchored,
-          many(parts.passive_joins + parts.motor_joins),
+          many(parts.passive_joins + parts.motor_joins * counted.motors),
           many(parts.passive_joins),
-          many(parts.motor_ends + parts.fixed_ends),
-          many(parts.motor_ends)};
+          many(parts.motor_ends * counted.motors + parts.fixed_ends),
+          many(parts.motor_ends * counted.motors),
+          many(counted.motors),
+          many(counted.passive_beside + counted.motor_beside * counted.motors),
+          many(counted.passive_beside)};
 }
 
 class Search {
@@ -95,13 +102,22 @@ class Search {
   void tie(std::size_t port) {
     if (port == ports_.size()) return add();
     if (ties_[port].partner != nothing) return tie(port + 1);
-    const std::size_t ends = ports_[port].kind == PortKind::tail ? kinds_.motor_ends : kinds_.ends;
-    for (std::size_t end = 0; end < ends; ++end) with(port, port, end);
+    for (std::size_t part = 0; part < kinds_.ends * (1 + kinds_.beside); ++part) {
+      if (ports_[port].kind != PortKind::tail || hangs(part)) with(port, port, part);
+    }
     for (std::size_t other = port + 1; other < ports_.size(); ++other) {
       if (ties_[other].partner != nothing || has_free_twin_before(port, other)) continue;
-      const std::size_t joins = ways_to_join(ports_[port].kind, ports_[other].kind);
-      for (std::size_t join = 0; join < joins; ++join) with(port, other, join);
+      const PortKind kind = ports_[port].kind;
+      const std::size_t joins = ways_to_join(kind, ports_[other].kind);
+      const bool must_join = kind == PortKind::tail && ports_[other].kind == PortKind::tail;
+      for (std::size_t join = must_join ? 1 : 0; join < joins; ++join) with(port, other, join);
     }
+  }
+
+  // Whether a tail by such an end is no fixed pulley.
+  bool hangs(std::size_t part) const {
+    const std::size_t variant = part / kinds_.ends;
+    return part % kinds_.ends < kinds_.motor_ends || variant > kinds_.passive_beside;
   }
 
   void with(std::size_t port, std::size_t other, std::size_t part) {
@@ -114,7 +130,8 @@ class Search {
 
   std::size_t ways_to_join(PortKind a, PortKind b) const {
     if (a == PortKind::strand && b == PortKind::strand) return kinds_.joins;
-    return a == b ? 0 : 1;  // no two passes, no two tails
+    if (a == PortKind::tail || b == PortKind::tail) return 1 + kinds_.beside;
+    return a == b ? 0 : 1;  // no two passes
   }
 
   bool is_free(std::size_t port, std::size_t current) const {
@@ -187,9 +204,33 @@ class Search {
     return true;
   }
 
-  // Colours: strand, side, tail, block, ends, joins, tips.
+  // Colours: strand, side, tail, block, ends, joins, joins beside ends, carriages, tips.
   std::size_t first_join() const { return 4 + kinds_.ends; }
-  std::size_t first_tip() const { return first_join() + kinds_.joins; }
+  std::size_t first_beside() const { return first_join() + kinds_.joins; }
+  std::size_t first_carriage() const { return first_beside() + kinds_.beside; }
+  std::size_t first_tip() const { return first_carriage() + kinds_.motors; }
+
+  // Each motor that pulls something, by what is on its carriage. Identical ones have one colour.
+  bool add_carriages(Graph& graph) const {
+    std::vector<std::vector<Vertex>> moved(kinds_.motors);
+    for (Vertex v = 0; v < boost::num_vertices(graph); ++v) {
+      if (!graph[v].motor) continue;
+      std::size_t& colour = graph[v].colour;
+      const std::size_t first = colour < first_join()     ? 4
+                                : colour < first_beside() ? first_join() + kinds_.passive_joins
+                                                          : first_beside() + kinds_.passive_beside;
+      const std::size_t motor = (colour - first) % kinds_.motors;
+      colour -= motor;
+      moved[motor].push_back(v);
+    }
+    for (std::size_t motor = 0; motor < kinds_.motors; ++motor) {
+      if (moved[motor].empty() && kinds_.motors > 1) return false;
+      const std::size_t colour = first_carriage() + (identical_ ? 0 : motor);
+      const Vertex carriage = add_part({colour, false, true}, graph);
+      for (const Vertex v : moved[motor]) boost::add_edge(carriage, v, graph);
+    }
+    return true;
+  }
 
   void add() {
     if (!is_generated()) return;
@@ -207,21 +248,33 @@ class Search {
       boost::add_edge(p, (of_finger ? tips : blocks)[ports_[p].owner], graph);
       add_tie(p, graph);
     }
-    classes_.add(std::move(graph));
+    if (add_carriages(graph)) classes_.add(std::move(graph));
   }
 
   void add_tie(std::size_t p, Graph& graph) const {
     const auto [partner, part] = ties_[p];
     if (partner < p) return;
     if (partner == p) {
-      boost::add_edge(p, add_part({4 + part, part < kinds_.motor_ends}, graph), graph);
-    } else if (ports_[p].kind == ports_[partner].kind) {
+      const std::size_t end = part % kinds_.ends;
+      const Vertex tied = add_part({4 + end, end < kinds_.motor_ends}, graph);
+      add_beside(p, tied, part / kinds_.ends, graph);
+    } else if (ports_[p].kind == PortKind::strand && ports_[partner].kind == PortKind::strand) {
       const Vertex join = add_part({first_join() + part, part >= kinds_.passive_joins}, graph);
       boost::add_edge(p, join, graph);
       boost::add_edge(partner, join, graph);
     } else {
-      boost::add_edge(p, partner, graph);
+      add_beside(p, partner, part, graph);
     }
+  }
+
+  void add_beside(Vertex a, Vertex b, std::size_t variant, Graph& graph) const {
+    if (variant > 0) {
+      const std::size_t kind = variant - 1;
+      const Vertex join = add_part({first_beside() + kind, kind >= kinds_.passive_beside}, graph);
+      boost::add_edge(a, join, graph);
+      a = join;
+    }
+    boost::add_edge(a, b, graph);
   }
 
   PortParts kinds_;

@@ -13,6 +13,10 @@ namespace reeve::testing {
 struct CountedTreeParts {
   CountedParts parts;
   bool anchored = false;  // a tendon may be tied at a fingertip
+  // Brute force only:
+  int motors = 1;          // of several, each pulls something
+  int passive_beside = 0;  // kinds of joins that may stand beside an end or a tail
+  int motor_beside = 0;
 };
 
 // Routings with exactly so many blocks. Throws std::overflow_error when a number in between does
