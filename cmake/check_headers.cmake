@@ -1,6 +1,7 @@
-# One source per header of ours, including only that header: it must not lean on what
-# others happened to include before it. And one that includes them all: no two may mean different
-# things by one name.
+# One source per header of ours that has none, including only that header: it must not lean on what
+# others happened to include before it. A source includes its own header first (scripts/check_layers), so
+# that REEVE_UNITY=OFF checks the rest. And one that includes them all: no two may mean different things by
+# one name.
 set(folders ${REEVE_FLOORS} reeve cli)
 list(TRANSFORM folders APPEND "/*.hpp")
 file(GLOB_RECURSE headers RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS ${folders})
@@ -9,7 +10,11 @@ file(CONFIGURE OUTPUT "${sources}" CONTENT "")
 set(together "")
 foreach(header IN LISTS headers)
   string(APPEND together "#include \"${header}\"\n")
-  string(REPLACE ".hpp" ".cpp" source "${PROJECT_BINARY_DIR}/generated/alone/${header}")
+  string(REPLACE ".hpp" ".cpp" source "${header}")
+  if(EXISTS "${PROJECT_SOURCE_DIR}/${source}")
+    continue()
+  endif()
+  string(PREPEND source "${PROJECT_BINARY_DIR}/generated/alone/")
   file(CONFIGURE OUTPUT "${source}" CONTENT "#include \"${header}\"\n")
   list(APPEND sources "${source}")
 endforeach()
