@@ -32,7 +32,7 @@ struct Disturbance {
 struct ProcessOptions {
   std::filesystem::path directory = ".";
   std::map<std::string, std::string> environment = {};  // besides the caller's
-  std::chrono::seconds timeout{120};                    // then it is killed
+  std::chrono::seconds timeout{240};                    // then it is killed
   std::filesystem::path stdout_to = {};                 // a file instead of the pipe
   bool stderr_is_terminal = false;
   // A terminal as wide as that, in columns, instead of the pipe; 0: it does not know its width.
