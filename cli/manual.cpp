@@ -57,7 +57,7 @@ std::string subcommand_section(const SubcommandText& subcommand) {
 constexpr std::string_view manual_description =
     "reeve explores, ranks and checks tendon routings: the ways in which one motor's tendon can be "
     "led through the fingers of a soft wearable hand. A routing is written as the walk of its "
-    "tendon, such as M-1-T-2-F or 1-P-2-P-1; names of the catalogue, such as TR7, can stand in its "
+    "tendon, such as M-1-T-2-F or 1-P-2-P-1; names of the catalog, such as TR7, can stand in its "
     "place.";
 
 constexpr std::string_view ending = R"(.SH EXIT STATUS
@@ -76,7 +76,7 @@ Interrupted, standard output cannot be written, not enough memory, or an interna
 .SH ENVIRONMENT
 .TP
 .B REEVE_CATALOG
-Folder of a catalogue in place of the one in the program.
+Folder of a catalog in place of the one in the program.
 .TP
 .B REEVE_MPI
 off: each process that mpirun starts works on its own.

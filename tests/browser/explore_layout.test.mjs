@@ -27,7 +27,7 @@ for (const of of [name, "explore-3"]) {
 
     test("a wide window shows whole tables", async () => {
       await at(page, 1440, 900);
-      assert.deepEqual(await cut(page, ".card .scroll, .scroll:has(#designs), #ladder .scroll"), []);
+      assert.deepEqual(await cut(page, ".card .scroll, .scroll:has(#designs), #tradeoff .scroll"), []);
     });
 
     test("a phone has a drawing on its first screen, and one line for the selection", async () => {
@@ -36,7 +36,7 @@ for (const of of [name, "explore-3"]) {
       assert.ok(drawing < 560, `${drawing}`);
       const { height } = await page.locator("#tray").boundingBox();
       assert.ok(height < 50, `${height}`);
-      assert.deepEqual(await cut(page, "#ladder .scroll"), []);
+      assert.deepEqual(await cut(page, "#tradeoff .scroll"), []);
     });
 
     test("a phone's numbers at the ends of axes stay clear of their names", async () => {

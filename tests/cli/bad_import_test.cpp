@@ -30,14 +30,14 @@ TEST(BadImport, NamesAnOptionThatItCannotTake) {
       {"import none.csv", "none.csv: cannot be read: No such file or directory"},
       {"import empty.csv", "empty.csv: is empty: expected a header and rows below it"},
       {"import ok.csv", "ok.csv:1: the header has no column of time: expected one of "},
-      {"import ok.csv --least-time 0", "--least-time"},
+      {"import ok.csv --min-duration 0", "--min-duration"},
       {"import ok.csv --tolerance 2", "--tolerance"},
-      {"import ok.csv --per-sweep 0", "--per-sweep"},
+      {"import ok.csv --readings-per-stroke 0", "--readings-per-stroke"},
       {"import ok.csv --direction back", "--direction"},
       {"import ok.csv -o ok.csv", "would be written over the data"},
       {"import ok.csv --plot ok.csv", "would be written over the data"},
       {"import ok.csv -o none/readings.csv", "-o 'none/readings.csv': expected a file that"},
-      {"import ok.csv -o no_catalogue", "-o 'no_catalogue': expected the name of a file"},
+      {"import ok.csv -o no_catalog", "-o 'no_catalog': expected the name of a file"},
   });
 }
 

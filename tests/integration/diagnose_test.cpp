@@ -94,7 +94,7 @@ TEST(Diagnose, OnABenchSpeaksOfNoGraspsAndRanksNoRoutings) {
   }
   const Json json = Json::parse(read_text(folder.path() / "diagnosis.json"));
   EXPECT_TRUE(json["ranking"].is_null());
-  EXPECT_TRUE(has(reeve({"diagnose", with_cause}).out, "Ranking of the catalogue"));
+  EXPECT_TRUE(has(reeve({"diagnose", with_cause}).out, "Ranking of the catalog"));
 }
 
 TEST(Diagnose, TakesAsManyReplicatesAsAlphaNeeds) {
@@ -201,8 +201,8 @@ TEST(Diagnose, GivesTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST(Diagnose, OffersGeneratedRoutingsIfAskedFor) {
-  const Json json = diagnosed(lines(), {"--explore"});
-  EXPECT_TRUE(json["settings"]["explore"]);
+  const Json json = diagnosed(lines(), {"--generated-routings"});
+  EXPECT_TRUE(json["settings"]["generated_routings"]);
   EXPECT_LE(json["next_measurement"]["width_expected"].get<double>(),
             1.01 * diagnosed(lines())["next_measurement"]["width_expected"].get<double>());
 }

@@ -92,13 +92,14 @@ TEST(Diagnose, TakesATimeSeriesForReadingsIfToldTo) {
 TEST(Import, WritesReadingsThatSayWhereTheyComeFrom) {
   const TemporaryFolder folder;
   const std::string readings = (folder.path() / "readings.csv").string();
-  const ProcessResult result = reeve({"import", golden_log, "-o", readings, "--per-sweep", "2"});
+  const ProcessResult result =
+      reeve({"import", golden_log, "-o", readings, "--readings-per-stroke", "2"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string csv = read_text(readings);
   EXPECT_EQ(csv.find("# steady readings out of a logger's time series, by reeve "), 0U);
   EXPECT_TRUE(has(csv, "\n# simulated: a carriage goes to and fro, two mountings\n"));
   // But not where to: the same readings are the same file.
-  EXPECT_TRUE(has(csv, "\n# command: reeve import " + golden_log + " --per-sweep 2\n"));
+  EXPECT_TRUE(has(csv, "\n# command: reeve import " + golden_log + " --readings-per-stroke 2\n"));
   EXPECT_TRUE(
       has(csv,
           "\nrun,routing,held,direction,motor_tension_N,speed_mm_s,T1_N,T2_N,T3_N,T4_N,"

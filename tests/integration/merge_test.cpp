@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
         MergedCase{"AScore", {"--fingers", "3", "--score", "authors", "--top", "10"}},
         MergedCase{"Blocks",
                    {"--fingers", "3", "--parts", "all", "--cost",
-                    REEVE_CATALOG_DIR "/prices/example.toml", "--ladder", "cost", "--top", "10"}},
+                    REEVE_CATALOG_DIR "/prices/example.toml", "--tradeoff", "cost", "--top", "10"}},
         MergedCase{"DistinctFingersOfAHand",
                    {"--fingers", "3", "--distinct-fingers", "--tips", "bearing", "--hardware",
                     REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml", "--top", "12"}},

@@ -49,11 +49,11 @@ TEST(ExplorationAnswer, CountsThePartsOfTheFirst) {
 
 TEST(ExplorationAnswer, AdvisesADesignOnceIfItIsAffordableAndTheKnee) {
   ExploreReport report = explored(small_options());
-  report.ladder.affordable = report.ladder.rungs[0];
+  report.tradeoff.affordable = report.tradeoff.steps[0];
   for (const auto& [knee, labels] :
        {std::pair<std::size_t, std::vector<std::string>>{0, {"within 2 %, knee"}},
         {1, {"within 2 %", "knee"}}}) {
-    report.ladder.ladder.knee = knee;
+    report.tradeoff.tradeoff.knee = knee;
     std::vector<std::string> advised;
     for (const auto& design : pages::advised_designs(report)) advised.push_back(design.label);
     EXPECT_EQ(advised, labels);

@@ -38,7 +38,7 @@ const SizedPage& hand_page() {
   static const SizedPage page({"M-1b-T-2b-B-3b-M", "--hardware",
                                REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml", "--goal",
                                "motor_force", "--vary", "sheath_angle=2..5", "--vary",
-                               "tip_angle=2..4", "--same", "tips", "--draws", "10"});
+                               "tip_angle=2..4", "--equal", "tips", "--draws", "10"});
   return page;
 }
 

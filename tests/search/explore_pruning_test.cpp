@@ -116,7 +116,7 @@ TEST(ExplorePruning, FindsWhatFilteringFindsUnderConstraintsThatChanceSays) {
       expect_same_counts(pruned, all);
       expect_same_references(pruned, all);
       EXPECT_EQ(sampled_words(*pruned.record), sampled_words(*all.record));
-      EXPECT_EQ(rungs_of(pruned.ladder), rungs_of(all.ladder));
+      EXPECT_EQ(steps_of(pruned.tradeoff), steps_of(all.tradeoff));
     }
   }
 }

@@ -75,7 +75,7 @@ TEST(Pieces, HaveAllValuesWhereTheyAreAskedFor) {
   const RecordAbsorbing absorb = record_absorbing(options, true);
   for (const BroughtPiece& piece : brought_pieces(options, 2)) absorb(part, piece.record);
   DesignEvaluator evaluator({}, options.grasps, options.score);
-  std::vector<Design> designs = part.ladder.candidates();
+  std::vector<Design> designs = part.tradeoff.candidates();
   for (const ArchivedDesign& kept : part.archive.members()) designs.push_back(kept.design);
   ASSERT_GT(designs.size(), 20U);
   for (const Design& design : designs) {
