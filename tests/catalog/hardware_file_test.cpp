@@ -232,7 +232,7 @@ TEST(HardwareFile, HasSpringsAndSlackAndWritesThem) {
   EXPECT_EQ(again.hardware.tendon, expected);
 }
 
-TEST(HardwareFile, SaysWhatMayBeChosenAndWhere) {
+TEST(HardwareFile, HasBoundsOfDimensionsWithTheirPlaces) {
   const VaryTable vary = hardware_file_of(
                              "[vary]\nsheath_angle = [3, 9.5]\n\"tip_angle[1]\" = [1, 4]\n"
                              "equal = [\"tips\", \"sheath_angle[2,3]\"]\n")
@@ -257,7 +257,7 @@ TEST(HardwareFile, MayNameTheTwoContactsOfALoopThatJoinTheSameStrands) {
       file.hardware.contacts);
 }
 
-TEST(HardwareFile, WrittenHasWhatMayBeChosenToo) {
+TEST(HardwareFile, IsWrittenWithBoundsOfDimensions) {
   const HardwareFile file = hardware_file_of(
       "[vary]\nhand_mm = [0.1, 9]\n\"contact_angle[T2-T3]\" = [1, 4]\nequal = [\"tips\"]\n");
   const HardwareFile again =
@@ -285,7 +285,7 @@ TEST(HardwareFile, NamesThePlaceOfBadBounds) {
     EXPECT_EQ(error_in_hardware(mistake.text), mistake.message);
 }
 
-TEST(HardwareFile, NamesUnknownTablesAndKeysAndTheOnesThereAre) {
+TEST(HardwareFile, NamesUnknownTablesAndKeysAndTheKnownOnes) {
   const std::vector<Mistake> mistakes = {
       {"[tub]\nmu = 1\n",
        "h.toml:1:2: unknown key 'tub': expected one of tube, bearing, block, sheath, lengths, "

@@ -41,7 +41,7 @@ TEST(BadImport, NamesAnOptionThatItCannotTake) {
   });
 }
 
-TEST(BadImport, NamesALabelThatNoReadingCouldHave) {
+TEST(BadImport, NamesAnImpossibleLabel) {
   expect_refused(plain, {"-o", "readings.csv"},
                  "log.csv:1: the header has no column 'routing': expected a routing such as "
                  "M-1-T-2-F in each row, or given by --routing");
@@ -64,7 +64,7 @@ TEST(BadImport, NamesALabelThatNoReadingCouldHave) {
                  "cell");
 }
 
-TEST(BadImport, TellsAllLabelsThatNoReadingCouldHave) {
+TEST(BadImport, ListsAllImpossibleLabels) {
   expect_refused(
       "t,run,routing,held,direction,motor_tension_N,T1_N,T5_N\n0,A,TR1,3,,20,6,\n"
       "1,,TR1,,up,20,6,\n2,B,TR1,,,20,6,1\n",
@@ -77,7 +77,7 @@ TEST(BadImport, TellsAllLabelsThatNoReadingCouldHave) {
       "  log.csv:4: column 'T5_N': the routing 'TR1' has no segment T5: expected an empty cell");
 }
 
-TEST(BadImport, TellsAllThatAnUnmappedLogLacksAndTheWayToAMapping) {
+TEST(BadImport, ListsAllMissingColumnsAndPointsToAMapping) {
   expect_refused("Zeit [s];Kraft 1 [N]\n0;6\n1;6\n", {},
                  "log.csv: 3 faults:\n"
                  "  log.csv:1: the header has no column of time: expected one of time_s, t_s, t, "
@@ -92,7 +92,7 @@ TEST(BadImport, TellsAllThatAnUnmappedLogLacksAndTheWayToAMapping) {
                  "M-1-T-2-F in each row, or given by --routing");
 }
 
-TEST(BadImport, TellsAllFaultsOfALog) {
+TEST(BadImport, ListsAllFaultsOfALog) {
   expect_refused("t,motor_tension_N,T1_N\n0,x,6\n1,20,inf\n", {"--routing", "TR1"},
                  "log.csv: 2 faults:\n"
                  "  log.csv:2: column 'motor_tension_N' = 'x': expected a number from -1000000000 "

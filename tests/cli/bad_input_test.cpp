@@ -263,7 +263,7 @@ TEST(BadRank, IsNamedWithTheRoutings) {
   });
 }
 
-TEST(BadOption, ThatWouldBePassedOverIsRefused) {
+TEST(BadOption, ThatWouldHaveNoEffectIsRefused) {
   const std::string alone =
       " prints the ranking alone; expected one of the two, or --out with them for a page";
   expect_all_bad({

@@ -297,7 +297,7 @@ TEST(Explore, GivesEveryDesignOfTheFrontItsDistribution) {
   }
 }
 
-TEST(Explore, ThatKeepsNothingIsNotPartial) {
+TEST(Explore, IsNotPartialThoughNoDesignIsKept) {
   const Explored explored("--constraint sheaths<=0 --uncertainty --draws 5");
   EXPECT_EQ(explored.result.exit_code, 1);
   EXPECT_FALSE(explored.summary()["partial"]);

@@ -227,7 +227,7 @@ TEST(Diagnose, OfOneConditionWorks) {
 }
 
 // No answer is not the answer that nothing is wrong.
-TEST(Diagnose, OfOneReadingSaysThatItIsTooFewAndExitsWithOne) {
+TEST(Diagnose, ExitsWithOneIfThereIsOneReading) {
   std::vector<std::string> rows = lines();
   rows.resize(3);
   const Json json = diagnosed(rows, {}, 1);
@@ -298,7 +298,7 @@ TEST(Diagnose, ClaimsNoGainOfAGraspThatOneRunAloneHas) {
   EXPECT_TRUE(cause["held_out"].is_null());
 }
 
-TEST(Diagnose, ThatIsStoppedWritesNothing) {
+TEST(Diagnose, WritesNothingWhenStopped) {
   const TemporaryFolder folder;
   ProcessOptions options{.directory = folder.path(),
                          .disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, 100ms)}};

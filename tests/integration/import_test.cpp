@@ -123,7 +123,7 @@ TEST(Import, OfAMeasuredLogDoesNotSayThatItIsSimulated) {
   }
 }
 
-TEST(Import, PlotsWhatItTookAndWhyItLeftOutTheRest) {
+TEST(Import, PlotsReadingsAndWhyTheRestIsLeftOut) {
   const TemporaryFolder folder;
   const std::string plot = (folder.path() / "log.svg").string();
   const Json json =
@@ -188,7 +188,7 @@ TEST(Import, ReadsALogInOtherSpellingsAlike) {
   EXPECT_EQ(found["readings"][0]["tensions"], expected["readings"][0]["tensions"]);
 }
 
-TEST(Import, IsToldWhatTheLogDoesNotSay) {
+TEST(Import, TakesLabelsThatTheLogLacksFromOptions) {
   const TemporaryFolder folder;
   RigPlan plan;
   plan.strokes = 1;
@@ -208,7 +208,7 @@ TEST(Import, IsToldWhatTheLogDoesNotSay) {
 }
 
 // The answer is no, and says why; there is no file without readings.
-TEST(Import, OfALogWithoutASteadyStretchIsANo) {
+TEST(Import, ExitsWithOneIfNothingIsSteady) {
   const TemporaryFolder folder;
   const std::string log =
       folder.write("still.csv", "t,position_mm,motor_tension_N,T1_N\n0,1,20,6\n1,1,20,6\n")

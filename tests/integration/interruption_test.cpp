@@ -82,7 +82,7 @@ ProcessOptions hung_up_twice(std::chrono::milliseconds apart) {
 }
 
 // The kernel and a shell each hang up when a terminal is closed.
-TEST(HangUp, TwiceAtOnceIsOne) {
+TEST(HangUp, TwiceAtOnceCountsOnce) {
   const Explored explored(long_work, hung_up_twice(1ms));
   EXPECT_EQ(explored.result.signal, 0);
   EXPECT_EQ(explored.result.exit_code, 3);
@@ -267,7 +267,7 @@ TEST(MixedFolder, IsKnownByTheIdsOfItsFiles) {
 }
 
 // Whatever decides what is found, and nothing else.
-TEST(ExplorationId, IsThatOfTheQuestion) {
+TEST(ExplorationId, DependsOnWhatDecidesTheDesignsAlone) {
   const auto id = [](const Arguments& arguments) {
     return Explored(arguments).summary()["exploration"].get<std::string>();
   };

@@ -145,7 +145,7 @@ TEST_F(Stored, RefusesAnotherVersionOfTheProgram) {
   EXPECT_TRUE(has(ranked.err, "s.db: it was made by another version of reeve"));
 }
 
-TEST_F(Stored, RefusesWhatIsNoStore) {
+TEST_F(Stored, RefusesAFileThatIsNotAStore) {
   folder_.write("s.db", "rank,front,routing\n1,1,M-1-T-2-F\n");
   const std::string start = "--store: s.db: ";
   expect_bad(explore({}), start + "it is no SQLite database (file is not a database)");
@@ -188,7 +188,7 @@ TEST_F(Stored, RefusesAPlaceThatIsNoFile) {
              "no.db: there is no such file; expected what reeve explore stored");
 }
 
-TEST_F(Stored, RefusesWhatSomebodyChanged) {
+TEST_F(Stored, RefusesAStoreThatSomebodyChanged) {
   EXPECT_EQ(explore({}).exit_code, 0);
   execute(store(), "UPDATE shards SET total = 1");
   expect_bad(explore({}), "--store: s.db: its counts are not those of its settings");
@@ -203,7 +203,7 @@ TEST_F(Stored, RefusesWhatSomebodyChanged) {
 }
 
 // Values and words that might as well be there, rows that are gone.
-TEST_F(Stored, RefusesWhatIsNotAsItWasSaved) {
+TEST_F(Stored, RefusesRowsThatDifferFromWhatWasSaved) {
   EXPECT_EQ(explore("--constraint jams<=1").exit_code, 0);
   fs::copy_file(store(), folder_.path() / "whole.db");
   const std::string message =

@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
                       AskedCase{"Elsewhere", {"--constraint", "pulleys<=0"}}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
-TEST_F(Stored, IsExactWhereTheLeftOutAreLeftOutAgain) {
+TEST_F(Stored, IsExactWhereTheSameDesignsAreLeftOutAgain) {
   const auto exact = [&](Arguments asked) {
     asked.insert(asked.begin(), {"rank", "--store", "s.db", "--format", "json"});
     return Json::parse(run(asked).out)["exact"].get<bool>();

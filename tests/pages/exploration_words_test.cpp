@@ -206,11 +206,11 @@ TEST(ExplorationWords, NameTheFirstOnlyWhereItStaysFirst) {
 }
 
 // Of the whole, no part of it.
-TEST(ExplorationWords, WarnOfNothingThatIsNotSo) {
+TEST(ExplorationWords, WarnOnlyWhereItApplies) {
   EXPECT_EQ(joined(exploration_words(explored(small_options())).caveats), "");
 }
 
-TEST(ExplorationWords, HaveNothingToSayOfAnEmptyList) {
+TEST(ExplorationWords, AreNoneForAnEmptyList) {
   ExploreOptions options = small_options();
   options.constraints.push_back(parse_constraint("sheaths<=0"));
   const ExploreReport report = explored(options);

@@ -70,7 +70,7 @@ TEST(RankingPage, LiesBesideTheUsualResult) {
   EXPECT_EQ(read_text(folder.path() / "ranking.json"), printed.out);
 }
 
-TEST(RankingPage, SaysWhoIsFirstAndByWhatOthersAre) {
+TEST(RankingPage, NamesTheBestDesignAndThoseBestByOneObjective) {
   const std::string& html = catalogue().html;
   EXPECT_NE(html.find("TR7 comes first, with mean uniformity 0.998"), std::string::npos);
   EXPECT_NE(html.find("<li>force transmission ("), std::string::npos);

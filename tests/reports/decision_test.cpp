@@ -195,7 +195,7 @@ TEST(TradeoffTable, HasGainsOverTheStepBeforeAndMarks) {
             "      4  -     C             0.800   +1.0 %  100.0 %  best\n");
 }
 
-TEST(TradeoffTable, HasNoGainBelowNothingOfWhatDoesNotChange) {
+TEST(TradeoffTable, HasGainZeroWhereNothingChanges) {
   ListedTradeoff tradeoff = three_steps();
   tradeoff.tradeoff.objectives = {Objective::travel};
   for (TradeoffStep& step : tradeoff.tradeoff.steps) {
@@ -208,7 +208,7 @@ TEST(TradeoffTable, HasNoGainBelowNothingOfWhatDoesNotChange) {
   EXPECT_FALSE(testing::has(tradeoff_csv(tradeoff), "-0"));
 }
 
-TEST(TradeoffTable, IsNoneOfOneStep) {
+TEST(TradeoffTable, IsLeftOutWithOneStep) {
   ListedTradeoff tradeoff = three_steps();
   tradeoff.tradeoff.steps.resize(1);
   tradeoff.steps.resize(1);

@@ -84,7 +84,7 @@ TEST(ExplorePruning, FindsWhatANaiveProgramFinds) {
   for (std::size_t i = 0; i < result.top.size(); ++i) expect_same(result.top[i], expected[i]);
 }
 
-TEST(ExplorePruning, FindsWhatFilteringFindsUnderConstraintsThatChanceSays) {
+TEST(ExplorePruning, FindsWhatFilteringFindsUnderRandomConstraints) {
   std::mt19937 random(11);
   const auto one_of = [&](const std::vector<std::string>& words) {
     return words[random() % words.size()];

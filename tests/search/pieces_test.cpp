@@ -98,7 +98,7 @@ TEST(Pieces, AreShortBehindOthers) {
   EXPECT_LT(behind.sample.members().size(), 25U);
 }
 
-TEST(Pieces, ThatAreStoppedAreWhatTheySaw) {
+TEST(Pieces, CoverWhatTheySawWhenStopped) {
   ExploreOptions options = kept_options(2);
   // Behind one that needs tensions a constraint leaves nothing out: the piece has several batches.
   std::swap(options.constraints[0], options.constraints[1]);

@@ -33,7 +33,7 @@ std::string words(const Tradeoff& tradeoff) {
   return text;
 }
 
-TEST(Tradeoff, HasTheBestOfAtMostSoManyAndNoStepThatBuysNothing) {
+TEST(Tradeoff, HasTheBestDesignForEachNumberAndNoStepWithoutGain) {
   const Tradeoff steps =
       tradeoff_of({design("A", 1, 0.5), design("B", 1, 0.4), design("C", 2, 0.8),
                    design("D", 3, 0.7), design("E", 4, 0.8), design("F", 5, 0.9)});

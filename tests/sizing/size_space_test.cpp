@@ -155,7 +155,7 @@ TEST(SizeSpace, MakesOneVariableOfWhatStaysEqual) {
   EXPECT_EQ(space.variables[2].bounds.high, 4);
 }
 
-TEST(SizeSpace, WhatIsEqualToTheSameIsEqual) {
+TEST(SizeSpace, TakesEqualityAsTransitive) {
   EXPECT_EQ(variables(space_of("M-1-P-2-P-3-M", {"sheath_angle=3..9"},
                                {"sheath_angle[1,2]", "sheath_angle[2,3]"})),
             "sheath_angle[1,2,3]");
@@ -225,7 +225,7 @@ TEST(VariedRange, IsRefusedWithWhatWasExpected) {
 }
 
 // A comma in brackets parts fingers, another one groups.
-TEST(EqualGroup, AreAsManyAsTheCommasOutsideOfBracketsPart) {
+TEST(EqualGroups, AreSeparatedByCommasOutsideBrackets) {
   std::vector<std::string> names;
   for (const EqualGroup& group : parse_equal("tips, sheath_angle[2,3],strand_mm[1,2]")) {
     names.push_back(to_text(group.name));
