@@ -64,7 +64,7 @@ def test_an_exploration(saved):
 
 
 def test_a_ranking(saved):
-    saved(reeve.rank("TR1", reeve.Routing("TR7"), distributions="0.18"),
+    saved(reeve.rank("TR1", reeve.Routing("TR7"), distribution_mu="0.18"),
           "rank", "TR1", "1-P-2-P-1", "--distribution-mu", "0.18")
 
 
