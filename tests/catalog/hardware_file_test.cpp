@@ -245,7 +245,7 @@ TEST(HardwareFile, HasBoundsOfDimensionsWithTheirPlaces) {
   EXPECT_EQ(vary.bounds[1].name, "tip_angle[1]");
   ASSERT_EQ(vary.equal.size(), 2U);
   EXPECT_EQ(vary.equal[1].text, "sheath_angle[2,3]");
-  EXPECT_TRUE(vary.equal[1].place.ends_with("h.toml:4:17: vary")) << vary.equal[1].place;
+  EXPECT_TRUE(vary.equal[1].place.ends_with("h.toml:4:18: vary")) << vary.equal[1].place;
 }
 
 TEST(HardwareFile, MayNameTheTwoContactsOfALoopThatJoinTheSameStrands) {
@@ -278,7 +278,7 @@ TEST(HardwareFile, NamesThePlaceOfBadBounds) {
        "[3, 9]"},
       {"[vary]\ntip_angle = [3, -1]\n",
        "h.toml:2:17: vary.tip_angle[2] = -1: expected a finite number, not negative"},
-      {"[vary]\nequal = \"tips\"\n", "h.toml:2:8: vary.equal = \"tips\": expected an array"},
+      {"[vary]\nequal = \"tips\"\n", "h.toml:2:9: vary.equal = \"tips\": expected an array"},
       {"vary = 3\n", "h.toml:1:8: vary = 3: expected a table"},
   };
   for (const Mistake& mistake : mistakes)

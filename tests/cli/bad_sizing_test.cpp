@@ -102,7 +102,7 @@ TEST(BadSizing, OfBoundsInAFileIsNamedWithItsPlace) {
       {"size TR1 --hardware vary_finger.toml",
        "vary_finger.toml:2:1: vary: expected dimensions of M-1-T-2-F: sheath_angle[1]"},
       {"size TR1 --hardware vary_same.toml",
-       "vary_same.toml:3:9: vary: equal 'all': expected tips, sheaths, strands"},
+       "vary_same.toml:3:10: vary: equal 'all': expected tips, sheaths, strands"},
   });
 }
 

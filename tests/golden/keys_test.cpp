@@ -191,7 +191,7 @@ TEST(KeysOfSize, AreThePromisedOnes) {
   EXPECT_EQ(keys(design["sized"]), "goal nominal_goal finger_shares motor" + objectives);
   EXPECT_EQ(
       keys(json["settings"]),
-      "goal target_shares better robust vary same starts evaluations goal_grasps told_draws " +
+      "goal target_shares better robust vary equal starts evaluations goal_grasps told_draws " +
           evaluated_settings);
   EXPECT_EQ(keys(json["settings"]["vary"][0]), "dimension bounds");
 }
