@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { name, withExploration } from "./exploration.mjs";
-import { settled } from "./harness.mjs";
+import { cut, settled } from "./harness.mjs";
 
 async function at(page, width, height) {
   await page.setViewportSize({ width, height });
@@ -10,12 +10,6 @@ async function at(page, width, height) {
   await page.waitForSelector("html[data-ready]", { state: "attached" });
   await settled(page);
 }
-
-// What is wider than its place, so that it has to be scrolled.
-const cut = (page, places) =>
-  page.locator(places).evaluateAll((all) =>
-    all.filter((one) => one.clientWidth > 0 && one.scrollWidth > one.clientWidth + 1)
-      .map((one) => `${one.getAttribute("aria-label")}: ${one.scrollWidth} in ${one.clientWidth}`));
 
 const top = (page, place) => page.locator(place).first().evaluate((one) => one.getBoundingClientRect().top);
 
