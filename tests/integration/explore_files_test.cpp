@@ -21,7 +21,7 @@ TEST(ExploreFiles, AreTheseAndNothingElse) {
   EXPECT_EQ(explored.result.err, "");
   EXPECT_EQ(explored.files(),
             (Arguments(
-                "designs.csv figures index.html tradeoff.csv pareto.csv sample.csv summary.json")));
+                "designs.csv figures index.html pareto.csv sample.csv summary.json tradeoff.csv")));
   EXPECT_TRUE(has(
       explored.result.out,
       "Written: index.html, designs.csv, pareto.csv, sample.csv, tradeoff.csv, summary.json and "

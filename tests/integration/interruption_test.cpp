@@ -46,7 +46,7 @@ TEST_P(StoppingSignal, EndsAnExplorationWithWholeFilesThatSayPartial) {
   EXPECT_TRUE(has(explored.result.out, "\nPARTIAL: "));
   EXPECT_EQ(explored.files(),
             (Arguments(
-                "designs.csv figures index.html tradeoff.csv pareto.csv sample.csv summary.json")));
+                "designs.csv figures index.html pareto.csv sample.csv summary.json tradeoff.csv")));
 
   const Json summary = explored.summary();
   EXPECT_TRUE(summary["partial"]);
