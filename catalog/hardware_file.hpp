@@ -19,13 +19,13 @@ struct GivenBounds {
   double high = 0;
   std::string place;  // "h.toml:3:1: vary"
 };
-struct GivenSame {
+struct GivenEqual {
   std::string text;  // "tips"
   std::string place;
 };
 struct VaryTable {
   std::vector<GivenBounds> bounds;
-  std::vector<GivenSame> same;
+  std::vector<GivenEqual> equal;
 };
 
 struct HardwareFile {

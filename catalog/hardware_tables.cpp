@@ -266,9 +266,9 @@ VaryTable read_vary(const TomlNode& file) {
   const TomlNode* node = file.find("vary");
   if (node == nullptr) return vary;
   for (const TomlNode& entry : node->table().children) {
-    if (entry.key == "same") {
+    if (entry.key == "equal") {
       for (const TomlNode& item : entry.items())
-        vary.same.push_back({item.text(), place_of(item) + ": vary"});
+        vary.equal.push_back({item.text(), place_of(item) + ": vary"});
       continue;
     }
     if (entry.kind != TomlKind::array || entry.children.size() != 2) {

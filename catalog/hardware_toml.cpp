@@ -51,17 +51,17 @@ std::string table(const TendonParts& parts) {
 }
 
 std::string table(const VaryTable& vary) {
-  if (vary.bounds.empty() && vary.same.empty()) return "";
+  if (vary.bounds.empty() && vary.equal.empty()) return "";
   std::string text = "\n[vary]\n";
   for (const GivenBounds& bounds : vary.bounds) {
     text += fmt::format("\"{}\" = [{}, {}]\n", bounds.name, bounds.low, bounds.high);
   }
-  if (vary.same.empty()) return text;
+  if (vary.equal.empty()) return text;
   std::string list;
-  for (const GivenSame& same : vary.same) {
-    list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", same.text);
+  for (const GivenEqual& equal : vary.equal) {
+    list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", equal.text);
   }
-  return text + fmt::format("same = [{}]\n", list);
+  return text + fmt::format("equal = [{}]\n", list);
 }
 
 }  // namespace

@@ -11,9 +11,9 @@
 #include "pages/shell/result_files.hpp"
 #include "reports/exploration/design_list.hpp"
 #include "reports/exploration/exploration_id.hpp"
-#include "reports/exploration/ladder_report.hpp"
 #include "reports/exploration/shard_file.hpp"
 #include "reports/exploration/sweep_report.hpp"
+#include "reports/exploration/tradeoff_report.hpp"
 #include "reports/output/stamp.hpp"
 #include "studies/shown_routing.hpp"
 
@@ -45,7 +45,7 @@ std::vector<std::string> explore_arguments(const CLI::App& command) {
 }
 
 std::vector<std::string> exploration_files() {
-  return {"designs.csv", "pareto.csv", "sample.csv", "ladder.csv",
+  return {"designs.csv", "pareto.csv", "sample.csv", "tradeoff.csv",
           "sweep.csv",   "shard.json", "index.html", "summary.json"};
 }
 
@@ -62,7 +62,7 @@ void write_exploration(const ExploreReport& report, const CLI::App& command,
       {"designs.csv", design_csv(report.top, note)},
       {"pareto.csv", design_csv(report.front, note)},
       {"sample.csv", sample_csv(report.result.sample, note)},
-      {"ladder.csv", ladder_csv(report.ladder, note)},
+      {"tradeoff.csv", tradeoff_csv(report.tradeoff, note)},
       {"sweep.csv", report.sweep ? std::optional(sweep_csv(*report.sweep)) : std::nullopt}};
   result.figures = std::move(page.figures);
   result.texts.push_back({"index.html", std::move(page.html)});

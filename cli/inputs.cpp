@@ -69,7 +69,7 @@ Routing read_routing(const std::string& text, const Catalogue& catalogue) {
   if (looks_like_a_name(text)) {
     throw InputError(
         {.where = fmt::format("routing '{}'", text),
-         .what = "no such name in the catalogue",
+         .what = "no such name in the catalog",
          .expected = fmt::format("one of {}, or a word such as M-1-T-2-F{}", names(catalogue),
                                  did_you_mean(text, routing_names(catalogue))),
          .form = InputForm::unknown});
@@ -80,11 +80,10 @@ Routing read_routing(const std::string& text, const Catalogue& catalogue) {
 Routing read_like(const std::string& name, int fingers, const Catalogue& catalogue) {
   const std::vector<Routing> sizes = catalogue.sizes_of(name);
   if (sizes.empty()) {
-    throw InputError(
-        {.what = "--like",
-         .value = name,
-         .expected = fmt::format("a name of the catalogue, which reeve catalogue lists{}",
-                                 did_you_mean(name, routing_names(catalogue)))});
+    throw InputError({.what = "--like",
+                      .value = name,
+                      .expected = fmt::format("a name of the catalog, which reeve catalog lists{}",
+                                              did_you_mean(name, routing_names(catalogue)))});
   }
   std::vector<int> known;
   for (const Routing& routing : sizes) {
@@ -94,7 +93,7 @@ Routing read_like(const std::string& name, int fingers, const Catalogue& catalog
   throw InputError(
       {.what = "--fingers",
        .value = std::to_string(fingers),
-       .expected = fmt::format("{}{}: the catalogue has {} for no other number",
+       .expected = fmt::format("{}{}: the catalog has {} for no other number",
                                known.size() > 1 ? "one of " : "", fmt::join(known, ", "), name)});
 }
 
@@ -432,10 +431,10 @@ void read_vary(const VaryTable& table, SizingOptions& options) {
   for (const GivenBounds& given : table.bounds) {
     options.varied.push_back(varied_range(given.name, {given.low, given.high}, given.place));
   }
-  for (const GivenSame& given : table.same) {
-    for (SameGroup& group : for_option(given.place, [&] { return parse_same(given.text); })) {
+  for (const GivenEqual& given : table.equal) {
+    for (EqualGroup& group : for_option(given.place, [&] { return parse_equal(given.text); })) {
       group.text = given.place;
-      options.same.push_back(std::move(group));
+      options.equal.push_back(std::move(group));
     }
   }
 }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
+#include <map>
 #include <string_view>
 
 namespace reeve::cli {
@@ -57,10 +59,20 @@ std::string subcommand_section(const SubcommandText& subcommand) {
 constexpr std::string_view manual_description =
     "reeve explores, ranks and checks tendon routings: the ways in which one motor's tendon can be "
     "led through the fingers of a soft wearable hand. A routing is written as the walk of its "
-    "tendon, such as M-1-T-2-F or 1-P-2-P-1; names of the catalogue, such as TR7, can stand in its "
+    "tendon, such as M-1-T-2-F or 1-P-2-P-1; names of the catalog, such as TR7, can stand in its "
     "place.";
 
-constexpr std::string_view ending = R"(.SH EXIT STATUS
+struct Variable {
+  std::string_view name;
+  std::string_view meaning;
+};
+
+constexpr std::array environment{
+    Variable{"REEVE_CATALOG", "Folder of a catalog in place of the one in the program."},
+    Variable{"REEVE_MPI", "off: each process that mpirun starts works on its own."},
+    Variable{"NO_COLOR", "Any value: no colour on the terminal; so does TERM=dumb."}};
+
+constexpr std::string_view exit_codes = R"(.SH EXIT STATUS
 .TP
 .B 0
 Done.
@@ -73,16 +85,45 @@ Bad usage or input; one line on standard error names it.
 .TP
 .B 3
 Interrupted, standard output cannot be written, not enough memory, or an internal error.
-.SH ENVIRONMENT
-.TP
-.B REEVE_CATALOG
-Folder of a catalogue in place of the one in the program.
-.TP
-.B REEVE_MPI
-off: each process that mpirun starts works on its own.
-.SH COPYRIGHT
+)";
+
+constexpr std::string_view copyright = R"(.SH COPYRIGHT
 Copyright 2026 the reeve authors. MIT licence; there is no warranty.
 )";
+
+std::string option_line(const OptionText& option) {
+  std::string head = option.positional ? option.name : "--" + option.name;
+  if (!option.short_name.empty()) head = fmt::format("-{}, {}", option.short_name, head);
+  if (!option.positional && option.kind != "flag") head += ' ' + value_name(option);
+  const std::string preset = option.preset.empty() ? "" : fmt::format(" ({})", option.preset);
+  return fmt::format("{:<24}  {}{}\n", head, option.meaning, preset);
+}
+
+// Each option once, below a heading with the subcommands that take it with this text.
+std::string option_sections(const std::vector<SubcommandText>& subcommands) {
+  std::vector<std::string> lines;
+  std::map<std::string, std::string> takers;
+  for (const SubcommandText& subcommand : subcommands) {
+    for (const OptionText& option : subcommand.options) {
+      const std::string line = option_line(option);
+      std::string& names = takers[line];
+      if (names.empty()) lines.push_back(line);
+      names += (names.empty() ? "" : ", ") + subcommand.name;
+    }
+  }
+  std::vector<std::string> headings;
+  std::map<std::string, std::string> sections;
+  for (const std::string& line : lines) {
+    std::string& section = sections[takers[line]];
+    if (section.empty()) headings.push_back(takers[line]);
+    section += line;
+  }
+  std::string text;
+  for (const std::string& heading : headings) {
+    text += fmt::format("\n## {}\n\n```text\n{}```\n", heading, sections[heading]);
+  }
+  return text;
+}
 
 std::vector<std::string> words_of_options(const SubcommandText& subcommand) {
   std::vector<std::string> words{"--help"};
@@ -111,7 +152,26 @@ std::string man_page(const std::vector<SubcommandText>& subcommands, const std::
       ".B reeve\n.I SUBCOMMAND\n.B \\-\\-help\n.SH DESCRIPTION\n{}\n.SH SUBCOMMANDS\n",
       version, roff(manual_description));
   for (const SubcommandText& subcommand : subcommands) text += subcommand_section(subcommand);
-  return text + std::string(ending);
+  text += exit_codes;
+  text += ".SH ENVIRONMENT\n";
+  for (const Variable& one : environment) {
+    text += fmt::format(".TP\n.B {}\n{}\n", one.name, roff(one.meaning));
+  }
+  return text + std::string(copyright);
+}
+
+std::string options_document(const std::vector<SubcommandText>& subcommands) {
+  std::string text =
+      "# Options\n\n*`reeve_write_manual --options` writes this page from the program's table of "
+      "options. Defaults are in brackets.*\n\n```text\n";
+  for (const SubcommandText& subcommand : subcommands) {
+    text += fmt::format("{:<9}  {}\n", subcommand.name, subcommand.meaning);
+  }
+  text += "```\n" + option_sections(subcommands) + "\n## Environment\n\n```text\n";
+  for (const Variable& one : environment) {
+    text += fmt::format("{:<13}  {}\n", one.name, one.meaning);
+  }
+  return text + "```\n";
 }
 
 std::string bash_completion(const std::vector<SubcommandText>& subcommands) {

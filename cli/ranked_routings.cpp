@@ -69,7 +69,7 @@ std::vector<Routing> catalogued(const AskedRoutings& asked, int fingers,
 }  // namespace
 
 std::vector<FrictionCase> read_friction_cases(const std::string& text, const Model& model) {
-  return for_option(fmt::format("--distributions '{}'", text), [&] {
+  return for_option(fmt::format("--distribution-mu '{}'", text), [&] {
     std::vector<FrictionCase> cases;
     std::set<std::pair<FrictionKind, double>> seen;
     std::istringstream items(text + ",");

@@ -12,7 +12,7 @@
 
 namespace reeve::cli {
 
-// Reads --distributions of `rank`, such as "0.18,0.09,model": coefficients of tubes and sheaths
+// Reads --distribution-mu of `rank`, such as "0.18,0.09,model": coefficients of tubes and sheaths
 // alike, and the model as it is. Throws InputError.
 std::vector<FrictionCase> read_friction_cases(const std::string& text, const Model& model);
 

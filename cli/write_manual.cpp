@@ -1,5 +1,5 @@
-// Writes the man page, or with --completion the completion of bash, to standard output: what the
-// build installs of the program's options.
+// Writes the man page, with --completion the completion of bash, with --options docs/options.md, to
+// standard output.
 #include <iostream>
 #include <string_view>
 
@@ -8,9 +8,10 @@
 
 int main(int argc, char** argv) {
   const auto texts = reeve::cli::subcommand_texts();
-  const bool completion = argc > 1 && std::string_view(argv[1]) == "--completion";
-  std::cout << (completion ? reeve::cli::bash_completion(texts)
-                           : reeve::cli::man_page(texts, reeve::core::version().number));
+  const std::string_view what = argc > 1 ? argv[1] : "";
+  std::cout << (what == "--completion" ? reeve::cli::bash_completion(texts)
+                : what == "--options"  ? reeve::cli::options_document(texts)
+                                      : reeve::cli::man_page(texts, reeve::core::version().number));
   std::cout.flush();
   return std::cout ? 0 : 1;
 }

@@ -7,7 +7,7 @@
 #include "search/evaluate/objectives.hpp"
 #include "search/evaluate/score.hpp"
 #include "search/explore.hpp"
-#include "search/rank/ladder.hpp"
+#include "search/rank/tradeoff.hpp"
 #include "search/uncertainty/sweep.hpp"
 #include "sizing/dimension.hpp"
 #include "sizing/goal.hpp"
@@ -26,7 +26,7 @@ const std::vector<Option>& all_options() {
       [](const std::string& text) { sizing::parse_goal(text); },
       [](const std::string& text) { sizing::parse_target(text, 3); },
       [](const std::string& text) { sizing::parse_varied(text); },
-      [](const std::string& text) { sizing::parse_same(text); },
+      [](const std::string& text) { sizing::parse_equal(text); },
       [](const std::string& text) { search::parse_sweep(text); },
       [](const std::string& text) { search::parse_within(text); },
       [](const std::string& text) { search::parse_tips(text); },

@@ -37,7 +37,7 @@ void store(std::string_view bytes) {
     }
     reader.for_each_design([](const search::EvaluatedDesign&) {});
     reader.for_each_archived([](const search::ArchivedDesign&) {});
-    reader.for_each_rung([](const search::Design&) {});
+    reader.for_each_step([](const search::Design&) {});
   });
   remove_file();
 }

@@ -95,7 +95,7 @@ Json others(const RankReport& report, const Labels& labels) {
   return list;
 }
 
-// Returns the lines that the ladder decides; the first design stands above.
+// Returns the lines that the trade-off decides; the first design stands above.
 Json decision(const RankReport& report) {
   Json lines = Json::array();
   const auto add_motor = [&] {
@@ -103,11 +103,11 @@ Json decision(const RankReport& report) {
       lines.push_back(line.text + ".");
     }
   };
-  if (report.ladder.rungs.size() < 2) {
+  if (report.tradeoff.steps.size() < 2) {
     add_motor();
     return lines;
   }
-  for (const DocumentLine& line : answer_lines(report.designs, report.ladder)) {
+  for (const DocumentLine& line : answer_lines(report.designs, report.tradeoff)) {
     lines.push_back(line.text + ".");
   }
   lines.erase(0);

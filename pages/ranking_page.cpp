@@ -204,7 +204,7 @@ PageFiles RankingPageBuilder::build() {
   Json values{{"title", title},
               {"answer", render("ranking_answer.mustache", ranking_answer(report_, labels_))},
               {"ranking", html(ranking_table(report_, labels_))},
-              {"ladder", ladder_html(report_.ladder)},
+              {"tradeoff", tradeoff_html(report_.tradeoff)},
               {"glossary", glossary_html("Front and the objectives: what they mean",
                                          ranking_glossary(report_))},
               {"pareto", add(pareto_figure(report_, labels_))},

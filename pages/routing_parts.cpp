@@ -13,7 +13,7 @@
 #include "pages/shell/html_table.hpp"
 #include "pages/shell/template.hpp"
 #include "reports/document/text_table.hpp"
-#include "reports/exploration/ladder_report.hpp"
+#include "reports/exploration/tradeoff_report.hpp"
 #include "reports/output/json.hpp"
 #include "reports/shown_value.hpp"
 
@@ -132,16 +132,16 @@ HtmlTable routing_objectives(const ShownRouting& report) {
   return {"objectives-table", "Objectives over these grasps, pulling", std::move(table)};
 }
 
-std::string ladder_html(const ListedLadder& ladder) {
-  const Section section = ladder_section(ladder);
+std::string tradeoff_html(const ListedTradeoff& tradeoff) {
+  const Section section = tradeoff_section(tradeoff);
   if (!section.table) return "";
   return render(
-      "ladder.mustache",
+      "tradeoff.mustache",
       {{"title", section.title},
-       {"table", html({"ladder-table",
+       {"table", html({"tradeoff-table",
                        "gain: change from the line above; kept: value relative to the best design.",
                        *section.table})},
-       {"glossary", glossary_html("Gain, kept, knee: what they mean", ladder_terms())}});
+       {"glossary", glossary_html("Gain, kept, knee: what they mean", tradeoff_terms())}});
 }
 
 }  // namespace reeve::pages

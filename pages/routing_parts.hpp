@@ -1,5 +1,5 @@
 // Pieces that several pages have: schematics of a routing that was solved in some grasps, what
-// `show` says of it as tables, and a ladder.
+// `show` says of it as tables, and a trade-off.
 #pragma once
 
 #include <string>
@@ -32,8 +32,8 @@ HtmlTable share_table(const SolvedRouting& report);
 HtmlTable contact_table(const SolvedRouting& report);
 HtmlTable routing_objectives(const ShownRouting& report);
 
-// Trade-off table of designs against parts, as a section with its heading; "" if the ladder has
-// fewer than two rungs.
-std::string ladder_html(const ListedLadder& ladder);
+// Trade-off table of designs against parts, as a section with its heading; "" if the trade-off has
+// fewer than two steps.
+std::string tradeoff_html(const ListedTradeoff& tradeoff);
 
 }  // namespace reeve::pages

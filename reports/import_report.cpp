@@ -108,9 +108,9 @@ Json reading_json(const ImportReport& report, const SteadyReading& reading) {
 Json settings_of_import(const ImportReport& report) {
   const auto text = [](const std::string& value) { return Json(value); };
   const SteadyOptions& options = report.options;
-  return {{"least_time_s", options.least_time_s},
+  return {{"min_duration_s", options.min_duration_s},
           {"tolerance", options.tolerance},
-          {"per_sweep", options.per_sweep},
+          {"readings_per_stroke", options.readings_per_stroke},
           {"reverse", options.reverse},
           {"direction", value_or_null(options.direction,
                                       [](Direction way) { return Json(direction_field(way)); })},

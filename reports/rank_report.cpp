@@ -8,9 +8,9 @@
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/design_list.hpp"
-#include "reports/exploration/ladder_report.hpp"
 #include "reports/exploration/robust_report.hpp"
 #include "reports/exploration/sweep_report.hpp"
+#include "reports/exploration/tradeoff_report.hpp"
 #include "reports/model_text.hpp"
 #include "reports/motor_words.hpp"
 #include "reports/output/json.hpp"
@@ -147,7 +147,7 @@ Document rank_document(const RankReport& report, const ListColumns& wanted) {
   const std::vector<DocumentLine> motor = motor_lines(report.motor, report.model.hardware.motor);
   if (report.designs.size() == 1) document.add({"", std::nullopt, motor});
   if (report.designs.size() > 1) {
-    std::vector<DocumentLine> answer = answer_lines(report.designs, report.ladder);
+    std::vector<DocumentLine> answer = answer_lines(report.designs, report.tradeoff);
     answer.insert(answer.end(), motor.begin(), motor.end());
     for (const DocumentLine& line : robust_lines(report.robust_first)) {
       answer.push_back(line);
@@ -157,7 +157,7 @@ Document rank_document(const RankReport& report, const ListColumns& wanted) {
   }
   if (!columns.chosen.empty()) return document;
   if (report.uncertainty) document.add(band_section(shown, report.order, *report.uncertainty));
-  document.add(ladder_section(report.ladder));
+  document.add(tradeoff_section(report.tradeoff));
   document.add(margin_section(report));
   if (report.sweep) {
     for (Section& section : sweep_sections(*report.sweep)) document.add(std::move(section));
@@ -171,11 +171,11 @@ std::string rank_json(const RankReport& report) {
                                        report.unconverged)}};
   json["settings"]["uncertainty"] =
       report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
-  add_ladder_settings(json["settings"], report.ladder.ladder.options, report.prices);
+  add_tradeoff_settings(json["settings"], report.tradeoff.tradeoff.options, report.prices);
   json["settings"]["sweep"] =
       sweep_settings(report.sweep ? std::optional(report.sweep->sweep.over) : std::nullopt);
-  json["ladder"] = ladder_json(report.ladder);
-  json["never_jams"] = never_jams_json(report.ladder);
+  json["tradeoff"] = tradeoff_json(report.tradeoff);
+  json["never_jams"] = never_jams_json(report.tradeoff);
   json["robust_first"] = robust_json(report.robust_first);
   json["motor"] = motor_force_json(report.motor, report.model.hardware.motor);
   if (report.margins) json["margins"] = list_json(*report.margins, margin_json);

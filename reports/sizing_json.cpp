@@ -126,8 +126,8 @@ Json settings(const SizingReport& report) {
     return Json{{"dimension", to_text(range.name)},
                 {"bounds", {range.bounds.low, range.bounds.high}}};
   });
-  json["same"] =
-      list_json(options.same, [](const SameGroup& group) { return to_text(group.name); });
+  json["equal"] =
+      list_json(options.equal, [](const EqualGroup& group) { return to_text(group.name); });
   json["starts"] = options.starts;
   json["evaluations"] = options.evaluations;
   json["goal_grasps"] = to_json(goal_grasps(options));

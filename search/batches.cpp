@@ -91,7 +91,7 @@ struct BatchSlot {
   std::size_t failed_constraint = 0;  // constraint number, from 1; 0: none
   bool has_tensions = true;
   bool may_rank = false;
-  bool may_be_rung = false;
+  bool may_be_step = false;
   bool sampled = false;
   bool done = false;
   std::uint64_t unconverged = 0;
@@ -171,7 +171,7 @@ class Exploration {
     seen_->absorb(part);
     // Both calls thin out the kept designs, so that they reject later designs sooner.
     seen_->archive.members();
-    seen_->ladder.candidates();
+    seen_->tradeoff.candidates();
     return part;
   }
 
@@ -271,7 +271,7 @@ class Exploration {
     const auto first = options_.constraints.begin();
     slot.failed_constraint =
         first_failure({first, first + static_cast<std::ptrdiff_t>(deciding_parts_)}, slot.values);
-    slot.may_rank = slot.may_be_rung = slot.sampled = false;
+    slot.may_rank = slot.may_be_step = slot.sampled = false;
     slot.word = to_word(slot.routing);
   }
 
@@ -282,10 +282,10 @@ class Exploration {
       reaches_[worker].add(options_.constraints, slot.values);
     const bool may_be_kept = !far && slot.failed_constraint == 0;
     slot.may_rank = may_be_kept && part_.archive.may_rank(slot.values);
-    slot.may_be_rung = may_be_kept && part_.ladder.may_be_rung(slot.values);
+    slot.may_be_step = may_be_kept && part_.tradeoff.may_be_step(slot.values);
     slot.sampled = slot.failed_constraint == 0 && part_.sample.would_enter(slot.place);
     if (seen_) hold_against_seen(slot);
-    if (slot.may_rank || slot.may_be_rung || checkpoint_.design) {
+    if (slot.may_rank || slot.may_be_step || checkpoint_.design) {
       slot.word = to_word(slot.routing);
       // A reader of the store may ask for any value.
       if (keeps_) slot.all_values = whole_[worker].evaluate(slot.routing);
@@ -307,14 +307,14 @@ class Exploration {
 
   bool may_be_kept(const ObjectiveValues& values) const {
     const auto may_be = [&](const ExplorationPart& part) {
-      return part.archive.may_rank(values) || part.ladder.may_be_rung(values);
+      return part.archive.may_rank(values) || part.tradeoff.may_be_step(values);
     };
     return may_be(part_) && (!seen_ || may_be(*seen_));
   }
 
   void hold_against_seen(BatchSlot& slot) const {
     slot.may_rank = slot.may_rank && seen_->archive.may_rank(slot.values);
-    slot.may_be_rung = slot.may_be_rung && seen_->ladder.may_be_rung(slot.values);
+    slot.may_be_step = slot.may_be_step && seen_->tradeoff.may_be_step(slot.values);
     slot.sampled = slot.sampled && seen_->sample.would_enter(slot.place);
   }
 
@@ -357,7 +357,7 @@ class Exploration {
       if (slot.failed_constraint > 0) ++part_.constraint_failures[slot.failed_constraint - 1];
       const ObjectiveValues& values = keeps_ ? slot.all_values : slot.values;
       if (slot.may_rank) part_.archive.add({slot.word, values});
-      if (slot.may_be_rung) part_.ladder.add({slot.word, values});
+      if (slot.may_be_step) part_.tradeoff.add({slot.word, values});
       if (slot.sampled) part_.sample.add(slot.place, slot.routing);
     }
   }

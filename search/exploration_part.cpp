@@ -151,16 +151,16 @@ std::vector<RankedDesign> listed_of(std::vector<RankedDesign> ranked, std::size_
 }
 
 // These were evaluated before, as far as they count among the solves.
-void complete_ladder(Ladder& ladder, const ExploreOptions& options) {
+void complete_tradeoff(Tradeoff& tradeoff, const ExploreOptions& options) {
   DesignEvaluator evaluator(options.model, options.grasps, options.score, options.prices);
   const auto complete = [&](Design& design) {
     design.values = evaluator.evaluate(parse_routing(design.word));
   };
-  for (Rung& rung : ladder.rungs) complete(rung.design);
-  if (ladder.affordable) complete(*ladder.affordable);
-  if (ladder.choice) {
-    complete(ladder.choice->without);
-    complete(ladder.choice->with);
+  for (TradeoffStep& step : tradeoff.steps) complete(step.design);
+  if (tradeoff.affordable) complete(*tradeoff.affordable);
+  if (tradeoff.choice) {
+    complete(tradeoff.choice->without);
+    complete(tradeoff.choice->with);
   }
 }
 
@@ -230,8 +230,8 @@ class RecordAbsorber {
           part.archive.add(std::move(design), record.archive[i].equals_left_out);
         });
     add(
-        record.rungs, [&](const ObjectiveValues& v) { return whole.ladder.may_be_rung(v); },
-        [&](Design design, std::size_t) { part.ladder.add(std::move(design)); });
+        record.steps, [&](const ObjectiveValues& v) { return whole.tradeoff.may_be_step(v); },
+        [&](Design design, std::size_t) { part.tradeoff.add(std::move(design)); });
     whole.absorb(std::move(part));
   }
 
@@ -305,7 +305,7 @@ ExplorationPart::ExplorationPart(const ExploreOptions& options)
                         .references = std::vector<ReferenceCount>(options.references.size())},
       reaches(pruning_constraints(options) > 0 ? 0 : options.constraints.size()),
       archive(options.order, options.top),
-      ladder(options.order, options.ladder.by),
+      tradeoff(options.order, options.tradeoff.by),
       sample(options.sample) {}
 
 void ExplorationPart::absorb(ExplorationPart other) {
@@ -329,7 +329,7 @@ void ExplorationPart::absorb(ExplorationPart other) {
   for (ArchivedDesign& member : other.archive.members()) {
     archive.add(std::move(member.design), member.equals_left_out);
   }
-  for (Design& design : other.ladder.candidates()) ladder.add(std::move(design));
+  for (Design& design : other.tradeoff.candidates()) tradeoff.add(std::move(design));
   for (SampledRouting& sampled : other.sample.members()) {
     sample.add(sampled.place, sampled.routing);
   }
@@ -341,7 +341,7 @@ ShardRecord record_of(ExplorationPart& part) {
   for (ArchivedDesign& member : part.archive.members()) {
     record.archive.push_back({std::move(member.design.word), member.equals_left_out});
   }
-  for (Design& design : part.ladder.candidates()) record.rungs.push_back(std::move(design.word));
+  for (Design& design : part.tradeoff.candidates()) record.steps.push_back(std::move(design.word));
   for (const SampledRouting& sampled : part.sample.members()) {
     record.sample.push_back({sampled.place, to_word(sampled.routing)});
   }
@@ -380,9 +380,9 @@ ExploreResult conclude(ExplorationPart part, const ExploreOptions& options) {
   if (listed.empty()) {
     result.infeasible = infeasible(part);
   } else {
-    result.ladder =
-        ladder(part.ladder.candidates(), listed.front().design, options.order, options.ladder);
-    complete_ladder(result.ladder, options);
+    result.tradeoff = tradeoff(part.tradeoff.candidates(), listed.front().design, options.order,
+                               options.tradeoff);
+    complete_tradeoff(result.tradeoff, options);
   }
   result.references = standings(evaluators.evaluate(options.references), part.references, listed);
   place_listed(result, std::move(listed), std::move(routings), options.top);

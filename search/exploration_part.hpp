@@ -14,7 +14,7 @@
 #include "search/explore.hpp"
 #include "search/rank/archive.hpp"
 #include "search/rank/infeasible.hpp"
-#include "search/rank/ladder.hpp"
+#include "search/rank/tradeoff.hpp"
 #include "search/shard_record.hpp"
 
 namespace reeve::search {
@@ -58,9 +58,9 @@ struct ExplorationPart : ExplorationCounts {
   explicit ExplorationPart(const ExploreOptions& options);
 
   ConstraintReaches reaches;  // empty if designs are left out for their parts
-  // Designs in archive and ladder need have no values but those by which they are kept.
+  // Designs in archive and trade-off need have no values but those by which they are kept.
   Archive archive;
-  LadderArchive ladder;
+  TradeoffArchive tradeoff;
   DesignSample sample;
 
   // Adds a disjoint part of the same exploration.

@@ -15,7 +15,7 @@ namespace reeve::search {
 
 std::vector<Objective> deciding_objectives(const ExploreOptions& options) {
   std::vector<Objective> objectives = within_front_objectives(options.order);
-  objectives.push_back(options.ladder.by);
+  objectives.push_back(options.tradeoff.by);
   for (const Objective objective : options.order.objectives) objectives.push_back(objective);
   for (const Constraint& constraint : options.constraints) {
     objectives.push_back(constraint.objective);

@@ -20,8 +20,8 @@
 #include "search/enumerate/generator.hpp"
 #include "search/evaluate/score.hpp"
 #include "search/rank/infeasible.hpp"
-#include "search/rank/ladder.hpp"
 #include "search/rank/ranking.hpp"
+#include "search/rank/tradeoff.hpp"
 #include "search/shard_record.hpp"
 
 namespace reeve::search {
@@ -47,7 +47,7 @@ struct ExploreOptions {
   int threads = 0;                  // 0: all
   std::vector<Routing> references;  // canonical routings whose place among the others is wanted
   std::optional<PartPrices> prices;
-  LadderOptions ladder;
+  TradeoffOptions tradeoff;
   bool keeps_record = false;  // true if the result has a record of the shard
   // The parts used in real hands that were left out, since they would make too many routings.
   std::optional<LeftOutParts> left_out{};
@@ -102,7 +102,7 @@ struct ExploreResult {
   // Tension solves (evaluation.hpp), but for designs that constraints on parts alone reject.
   std::uint64_t unconverged = 0;
   std::vector<ReferenceStanding> references;
-  Ladder ladder;  // without rungs where there is no design
+  Tradeoff tradeoff;  // without steps where there is no design
   // Parallel to the constraints, if nothing meets all of them; of a shard with constraints on parts
   // alone not known.
   std::vector<ConstraintReach> infeasible;

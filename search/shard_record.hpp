@@ -51,7 +51,7 @@ struct ExplorationCounts {
 struct ShardRecord : ExplorationCounts {
   std::vector<ConstraintReach> reaches;  // parallel to the constraints
   std::vector<ArchivedWord> archive;
-  std::vector<std::string> rungs;  // candidates of the ladder
+  std::vector<std::string> steps;  // candidates of the trade-off
   std::vector<SampledWord> sample;
   std::string origin{};  // the file that it was read from, for messages
 };

@@ -133,14 +133,14 @@ VariedRange parse_varied(const std::string& text) {
                     .expected = "a dimension and its bounds, such as sheath_angle[1]=3..9"});
 }
 
-std::vector<SameGroup> parse_same(const std::string& text) {
-  const std::string option = fmt::format("same '{}'", text);
-  std::vector<SameGroup> groups;
+std::vector<EqualGroup> parse_equal(const std::string& text) {
+  const std::string option = fmt::format("equal '{}'", text);
+  std::vector<EqualGroup> groups;
   for (const std::string& item : items_in(text)) {
     try {
       groups.push_back({name_in_group(std::string(trimmed(item))), option});
     } catch (const InputError& error) {
-      throw InputError({.what = "same",
+      throw InputError({.what = "equal",
                         .value = text,
                         .expected = "tips, sheaths, strands, or dimensions of one quantity such as "
                                     "sheath_angle[2,3,4]"});

@@ -90,12 +90,12 @@ VariedRange parse_varied(const std::string& text);
 VariedRange varied_range(const std::string& name, const Interval& bounds, const std::string& text);
 
 // Dimensions that are to be equal, so that the fingers' parts are alike.
-struct SameGroup {
+struct EqualGroup {
   DimensionName name;
   std::string text;
 };
 
 // "tips", "sheaths,tips", "sheath_angle[2,3,4]": what each item names is equal. Throws InputError.
-std::vector<SameGroup> parse_same(const std::string& text);
+std::vector<EqualGroup> parse_equal(const std::string& text);
 
 }  // namespace reeve::sizing

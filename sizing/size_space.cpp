@@ -63,7 +63,7 @@ class Collector {
     }
   }
 
-  void join(const SameGroup& group) {
+  void join(const EqualGroup& group) {
     std::vector<std::size_t> members;
     for (const PlacedDimension& placed : covered(network_, hardware_, group.name)) {
       const std::size_t at = place_of(placed);
@@ -232,7 +232,7 @@ void require_none_hidden(const Network& network, const Hardware& hardware, const
 }  // namespace
 
 SizeSpace size_space(const Network& network, const Hardware& hardware,
-                     const std::vector<VariedRange>& ranges, const std::vector<SameGroup>& same) {
+                     const std::vector<VariedRange>& ranges, const std::vector<EqualGroup>& equal) {
   Collector collector(network, hardware);
   for (const VariedRange& range : ranges) {
     if (range.name.named.empty()) collector.add(range);
@@ -240,13 +240,13 @@ SizeSpace size_space(const Network& network, const Hardware& hardware,
   for (const VariedRange& range : ranges) {
     if (!range.name.named.empty()) collector.add(range);
   }
-  for (const SameGroup& group : same) collector.join(group);
+  for (const EqualGroup& group : equal) collector.join(group);
   return collector.finish();
 }
 
 void require_ranges_to_match(const std::vector<Routing>& routings, const Hardware& hardware,
                              const std::vector<VariedRange>& ranges,
-                             const std::vector<SameGroup>& same) {
+                             const std::vector<EqualGroup>& equal) {
   std::vector<Network> networks;
   for (const Routing& routing : routings) networks.push_back(expand(routing));
   require_once(ranges, networks);
@@ -259,9 +259,9 @@ void require_ranges_to_match(const std::vector<Routing>& routings, const Hardwar
     }
   }
   for (const Network& network : networks) {
-    require_none_hidden(network, hardware, size_space(network, hardware, ranges, same));
+    require_none_hidden(network, hardware, size_space(network, hardware, ranges, equal));
   }
-  for (const SameGroup& group : same) {
+  for (const EqualGroup& group : equal) {
     const bool is_varied = std::any_of(networks.begin(), networks.end(), [&](const Network& net) {
       const SizeSpace space = size_space(net, hardware, ranges, {});
       const auto members = covered(net, hardware, group.name);

@@ -32,11 +32,11 @@ struct SizeSpace {
 // not have is passed over. Throws InputError if dimensions that are to be equal have no value in
 // common.
 SizeSpace size_space(const Network& network, const Hardware& hardware,
-                     const std::vector<VariedRange>& ranges, const std::vector<SameGroup>& same);
+                     const std::vector<VariedRange>& ranges, const std::vector<EqualGroup>& equal);
 
 // Throws InputError if no routing has a range or a group, or if one repeats another.
 void require_ranges_to_match(const std::vector<Routing>& routings, const Hardware& hardware,
                              const std::vector<VariedRange>& ranges,
-                             const std::vector<SameGroup>& same);
+                             const std::vector<EqualGroup>& equal);
 
 }  // namespace reeve::sizing

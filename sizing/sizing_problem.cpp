@@ -91,7 +91,7 @@ std::vector<double> GoalEvaluator::shares(const Model& model) const {
 
 SizingProblem::SizingProblem(const Routing& routing, const SizingOptions& options)
     : nominal_model_(options.nominal),
-      space_(size_space(expand(routing), options.nominal.hardware, options.varied, options.same)),
+      space_(size_space(expand(routing), options.nominal.hardware, options.varied, options.equal)),
       evaluator_(routing, options.goal, goal_grasps(options), options.score),
       higher_is_better_(options.goal.better() == Better::higher),
       robust_(options.robust),

@@ -62,7 +62,7 @@ struct SizingOptions {
   // Grasps of a target, if they differ from `grasps`.
   std::optional<GraspSet> target_grasps = std::nullopt;
   std::vector<VariedRange> varied;
-  std::vector<SameGroup> same;
+  std::vector<EqualGroup> equal;
   bool robust = true;
   std::size_t draws = 100;  // at least 1
   std::uint64_t seed = 1;   // seed of draws and starts

@@ -22,7 +22,7 @@ constexpr const char* durable_writing =
 void require_routings(const ShardRecord& record, const std::filesystem::path& file) {
   try {
     for (const ArchivedWord& kept : record.archive) parse_routing(kept.word);
-    for (const std::string& rung : record.rungs) parse_routing(rung);
+    for (const std::string& step : record.steps) parse_routing(step);
     for (const SampledWord& sampled : record.sample) parse_routing(sampled.word);
   } catch (const InputError& error) {
     throw error.at(file.string());

@@ -99,11 +99,11 @@ void write_designs(SQLite::Database& database, std::int64_t shard, ExplorationPa
     archive.row().add(whole_number(number++)).add(member.design.word);
     archive.add(whole_number(member.equals_left_out)).add(member.design.values).write();
   }
-  RowWriter ladder(database,
-                   fmt::format("INSERT INTO ladder VALUES (?, ?, ?{})", objective_marks()), shard);
+  RowWriter tradeoff(
+      database, fmt::format("INSERT INTO tradeoff VALUES (?, ?, ?{})", objective_marks()), shard);
   number = 0;
-  for (const Design& design : part.ladder.candidates()) {
-    ladder.row().add(whole_number(number++)).add(design.word).add(design.values).write();
+  for (const Design& design : part.tradeoff.candidates()) {
+    tradeoff.row().add(whole_number(number++)).add(design.word).add(design.values).write();
   }
   RowWriter sample(database, "INSERT INTO sample VALUES (?, ?, ?)", shard);
   for (const SampledRouting& sampled : part.sample.members()) {
@@ -162,8 +162,8 @@ void read_designs(SQLite::Database& database, std::uint64_t shard, ShardRecord& 
   while (archive.executeStep()) {
     record.archive.push_back({archive.getColumn(0).getString(), count_in(archive, 1)});
   }
-  SQLite::Statement ladder = rows_of(database, "routing", "ladder", "number", shard);
-  while (ladder.executeStep()) record.rungs.push_back(ladder.getColumn(0).getString());
+  SQLite::Statement tradeoff = rows_of(database, "routing", "tradeoff", "number", shard);
+  while (tradeoff.executeStep()) record.steps.push_back(tradeoff.getColumn(0).getString());
   SQLite::Statement sample = rows_of(database, "place, routing", "sample", "place", shard);
   while (sample.executeStep()) {
     record.sample.push_back({count_in(sample, 0), sample.getColumn(1).getString()});

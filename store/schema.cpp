@@ -43,7 +43,7 @@ void create_tables(SQLite::Database& database) {
                   "PRIMARY KEY (shard, number)) WITHOUT ROWID",
                   objectives));
   database.exec(
-      fmt::format("CREATE TABLE ladder (shard INTEGER NOT NULL, number INTEGER NOT NULL, "
+      fmt::format("CREATE TABLE tradeoff (shard INTEGER NOT NULL, number INTEGER NOT NULL, "
                   "routing TEXT NOT NULL{}, PRIMARY KEY (shard, number)) WITHOUT ROWID",
                   objectives));
   database.exec(fmt::format(

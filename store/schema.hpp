@@ -12,10 +12,10 @@
 namespace reeve::store {
 
 inline constexpr int application_id = 0x72656576;  // "reev"
-inline constexpr int schema_version = 5;
+inline constexpr int schema_version = 6;
 
 // The tables of which each row belongs to a shard, by its first column.
-inline constexpr std::array shard_tables{"constraints", "known", "archive", "ladder", "sample"};
+inline constexpr std::array shard_tables{"constraints", "known", "archive", "tradeoff", "sample"};
 
 void create_tables(SQLite::Database& database);
 

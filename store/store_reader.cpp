@@ -82,11 +82,11 @@ void StoreReader::for_each_archived(const std::function<void(const ArchivedDesig
   });
 }
 
-void StoreReader::for_each_rung(const std::function<void(const Design&)>& visit) const {
+void StoreReader::for_each_step(const std::function<void(const Design&)>& visit) const {
   in_database(file_, [&] {
     SQLite::Statement query(
         connection_->database,
-        fmt::format("SELECT routing{} FROM ladder ORDER BY shard, number", objective_columns()));
+        fmt::format("SELECT routing{} FROM tradeoff ORDER BY shard, number", objective_columns()));
     while (query.executeStep()) {
       visit({query.getColumn(0).getString(), objectives_of(query, 1)});
     }

@@ -34,9 +34,9 @@ class StoreReader {
   std::vector<StoredShard> shards() const;
   // Every design that was kept with its objectives, in the order of the places.
   void for_each_design(const std::function<void(const EvaluatedDesign&)>& visit) const;
-  // Every design of the archives, and every one of the ladders, of which some are in both.
+  // Every design of the archives, and every one of the trade-offs, of which some are in both.
   void for_each_archived(const std::function<void(const ArchivedDesign&)>& visit) const;
-  void for_each_rung(const std::function<void(const Design&)>& visit) const;
+  void for_each_step(const std::function<void(const Design&)>& visit) const;
 
  private:
   struct Connection;

@@ -149,9 +149,9 @@ ExploreReport explore_report(const ExploreOptions& options, ExploreResult result
   shorter = listed(std::move(first), {result.routings.begin(), end_of_first});
   longer = listed(std::move(ranked), std::move(result.routings));
   report.robust_first = robust_first(longer, options.order);
-  report.ladder =
-      list_ladder(result.ladder, longer, options.order, options.model, options.prices, catalogue);
-  add_bars(report.ladder, {options.model, options.grasps, options.score, options.prices},
+  report.tradeoff = list_tradeoff(result.tradeoff, longer, options.order, options.model,
+                                  options.prices, catalogue);
+  add_bars(report.tradeoff, {options.model, options.grasps, options.score, options.prices},
            catalogue);
   report.jammed_first = jammed_first(report, catalogue);
   report.reference_names = names_of(options.references, catalogue);
@@ -196,8 +196,8 @@ std::vector<ListedDesign> designs_to_sweep(const ExploreReport& report) {
     if (!is_there && design.same_as.empty() && chosen.size() < most_swept) chosen.push_back(design);
   };
   if (!report.top.empty()) add(report.top.front());
-  if (report.ladder.affordable) add(*report.ladder.affordable);
-  for (const ListedDesign& rung : report.ladder.rungs) add(rung);
+  if (report.tradeoff.affordable) add(*report.tradeoff.affordable);
+  for (const ListedDesign& step : report.tradeoff.steps) add(step);
   for (const ListedDesign& design : report.front) add(design);
   return chosen;
 }

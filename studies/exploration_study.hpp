@@ -25,7 +25,7 @@ struct ExploreReport {
   std::vector<ListedDesign> front;
   std::vector<ListedDesign> top;
   std::vector<std::string> reference_names;  // parallel to result.references
-  ListedLadder ladder;
+  ListedTradeoff tradeoff;
   std::optional<RobustFirst> robust_first = std::nullopt;
   std::optional<MotorForce> motor{};     // motor force of the first design, with a hand
   std::vector<double> target_shares{};   // empty: no target
@@ -78,7 +78,7 @@ ExploreReport explore_report(const ExploreOptions& options, ExploreResult result
 // More lines than these a figure cannot show.
 inline constexpr std::size_t most_swept = 8;
 
-// The first design, the affordable one, the rungs of the ladder, and the front: the designs to
+// The first design, the affordable one, the steps of the trade-off, and the front: the designs to
 // choose from. Among designs that are alike, only the first is swept.
 std::vector<ListedDesign> designs_to_sweep(const ExploreReport& report);
 

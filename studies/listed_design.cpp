@@ -83,16 +83,16 @@ std::optional<RobustFirst> robust_first(const std::vector<ListedDesign>& designs
   return RobustFirst{as_robust(designs.front()), as_robust(*robust), order.by_score, over_draws};
 }
 
-ListedLadder list_ladder(const Ladder& ladder, const std::vector<ListedDesign>& listed,
-                         const Order& order, const Model& model,
-                         const std::optional<PartPrices>& prices, const Catalogue& catalogue) {
+ListedTradeoff list_tradeoff(const Tradeoff& tradeoff, const std::vector<ListedDesign>& listed,
+                             const Order& order, const Model& model,
+                             const std::optional<PartPrices>& prices, const Catalogue& catalogue) {
   DesignEvaluator evaluator(model, {});
   std::map<std::string_view, const ListedDesign*> by_word;
-  for (const Rung& rung : ladder.rungs) by_word[rung.design.word] = nullptr;
-  if (ladder.affordable) by_word[ladder.affordable->word] = nullptr;
-  if (ladder.choice) {
-    by_word[ladder.choice->without.word] = nullptr;
-    by_word[ladder.choice->with.word] = nullptr;
+  for (const TradeoffStep& step : tradeoff.steps) by_word[step.design.word] = nullptr;
+  if (tradeoff.affordable) by_word[tradeoff.affordable->word] = nullptr;
+  if (tradeoff.choice) {
+    by_word[tradeoff.choice->without.word] = nullptr;
+    by_word[tradeoff.choice->with.word] = nullptr;
   }
   for (const ListedDesign& design : listed) {
     const auto found = by_word.find(design.ranked.design.word);
@@ -106,27 +106,27 @@ ListedLadder list_ladder(const Ladder& ladder, const std::vector<ListedDesign>& 
     unlisted.smallest_jams = evaluator.smallest_jams(routing);
     return unlisted;
   };
-  ListedLadder result;
-  result.ladder = ladder;
+  ListedTradeoff result;
+  result.tradeoff = tradeoff;
   result.cost_unit = prices ? prices->unit : "";
-  for (const Rung& rung : ladder.rungs) result.rungs.push_back(as_listed(rung.design));
-  if (ladder.affordable) result.affordable = as_listed(*ladder.affordable);
-  if (ladder.choice) {
-    result.choice = {as_listed(ladder.choice->without), as_listed(ladder.choice->with)};
+  for (const TradeoffStep& step : tradeoff.steps) result.steps.push_back(as_listed(step.design));
+  if (tradeoff.affordable) result.affordable = as_listed(*tradeoff.affordable);
+  if (tradeoff.choice) {
+    result.choice = {as_listed(tradeoff.choice->without), as_listed(tradeoff.choice->with)};
   }
   result.never_jams = first_that_never_jams(listed, order);
   return result;
 }
 
-void add_bars(ListedLadder& ladder, const EvaluatedBy& by, const Catalogue& catalogue) {
-  if (!ladder.choice) return;
-  const std::optional<Routing> barred = with_bars(ladder.choice->with.routing);
+void add_bars(ListedTradeoff& tradeoff, const EvaluatedBy& by, const Catalogue& catalogue) {
+  if (!tradeoff.choice) return;
+  const std::optional<Routing> barred = with_bars(tradeoff.choice->with.routing);
   if (!barred) return;
   const Routing routing = canonical(*barred, FingerIdentity::distinct);
   DesignEvaluator evaluator(by.model, by.grasps, by.score, by.prices);
   const Design design{to_word(routing), evaluator.evaluate(routing)};
-  ladder.with_bars = {{design}, routing, name_of(catalogue, routing), std::nullopt};
-  ladder.with_bars->smallest_jams = evaluator.smallest_jams(routing);
+  tradeoff.with_bars = {{design}, routing, name_of(catalogue, routing), std::nullopt};
+  tradeoff.with_bars->smallest_jams = evaluator.smallest_jams(routing);
 }
 
 std::optional<SweptDesigns> swept_designs(const std::vector<ListedDesign>& designs,

@@ -11,8 +11,8 @@
 #include "core/grasp.hpp"
 #include "core/part_prices.hpp"
 #include "core/routing.hpp"
-#include "search/rank/ladder.hpp"
 #include "search/rank/ranking.hpp"
+#include "search/rank/tradeoff.hpp"
 #include "search/uncertainty/sweep.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 #include "studies/study_supervision.hpp"
@@ -39,13 +39,13 @@ struct ListedDesign {
   std::vector<Grasp> smallest_jams = {};
 };
 
-// A ladder with what is known of its designs. Ranks and fronts are 0 where they are beyond the
+// A tradeoff with what is known of its designs. Ranks and fronts are 0 where they are beyond the
 // list.
-struct ListedLadder {
-  Ladder ladder;
-  std::vector<ListedDesign> rungs;  // parallel to the ladder's
+struct ListedTradeoff {
+  Tradeoff tradeoff;
+  std::vector<ListedDesign> steps;  // parallel to the trade-off's
   std::optional<ListedDesign> affordable;
-  std::optional<BlockChoice<ListedDesign>> choice;  // only where the ladder has one
+  std::optional<BlockChoice<ListedDesign>> choice;  // only where the trade-off has one
   // The choice with floating blocks, with bars in place of them where they can be.
   std::optional<ListedDesign> with_bars;
   std::string cost_unit;  // unit of the prices; "" if there are none, or none is given
@@ -89,11 +89,11 @@ std::optional<RobustFirst> robust_first(const std::vector<ListedDesign>& designs
                                         const Order& order);
 
 // `listed` is where ranks are looked up.
-ListedLadder list_ladder(const Ladder& ladder, const std::vector<ListedDesign>& listed,
-                         const Order& order, const Model& model,
-                         const std::optional<PartPrices>& prices, const Catalogue& catalogue);
+ListedTradeoff list_tradeoff(const Tradeoff& tradeoff, const std::vector<ListedDesign>& listed,
+                             const Order& order, const Model& model,
+                             const std::optional<PartPrices>& prices, const Catalogue& catalogue);
 
-// The settings by which a ladder of designs was evaluated.
+// The settings by which a trade-off of designs was evaluated.
 struct EvaluatedBy {
   const Model& model;
   const GraspSet& grasps;
@@ -101,8 +101,8 @@ struct EvaluatedBy {
   const std::optional<PartPrices>& prices;
 };
 
-// Adds what bars in place of its floating blocks make of the ladder's choice.
-void add_bars(ListedLadder& ladder, const EvaluatedBy& by, const Catalogue& catalogue);
+// Adds what bars in place of its floating blocks make of the trade-off's choice.
+void add_bars(ListedTradeoff& tradeoff, const EvaluatedBy& by, const Catalogue& catalogue);
 
 // Listed designs over one coefficient.
 struct SweptDesigns {

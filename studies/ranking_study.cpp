@@ -5,7 +5,7 @@
 #include "core/notation.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "search/rank/equivalent.hpp"
-#include "search/rank/ladder.hpp"
+#include "search/rank/tradeoff.hpp"
 
 namespace reeve::studies {
 namespace {
@@ -27,10 +27,10 @@ std::vector<Routing> in_order(const std::vector<Routing>& routings,
   return ordered;
 }
 
-Ladder ladder_of(const RankRequest& request, const std::vector<RankedDesign>& designs) {
-  LadderArchive archive(request.order, request.ladder.by);
+Tradeoff tradeoff_of(const RankRequest& request, const std::vector<RankedDesign>& designs) {
+  TradeoffArchive archive(request.order, request.tradeoff.by);
   for (const RankedDesign& entry : designs) archive.add(entry.design);
-  return ladder(archive.candidates(), designs.front().design, request.order, request.ladder);
+  return tradeoff(archive.candidates(), designs.front().design, request.order, request.tradeoff);
 }
 
 RankDetails details(const RankRequest& request, const std::vector<RankedDesign>& designs,
@@ -83,8 +83,8 @@ std::optional<RankReport> ranking_study(const RankRequest& request, const Catalo
                   first_equivalent(designs, routings, request.order, FingerIdentity::distinct));
   mark_places(report.designs, places(designs, request.order));
   report.robust_first = robust_first(report.designs, request.order);
-  report.ladder = list_ladder(ladder_of(request, designs), report.designs, request.order,
-                              request.model, request.prices, catalogue);
+  report.tradeoff = list_tradeoff(tradeoff_of(request, designs), report.designs, request.order,
+                                  request.model, request.prices, catalogue);
   report.motor = motor_force(routings.front(), uncertainty_of(request));
   report.prices = request.prices;
   if (request.sweep) {

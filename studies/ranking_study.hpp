@@ -42,7 +42,7 @@ struct RankRequest {
   bool details = false;
   int threads = 0;
   std::optional<PartPrices> prices;
-  LadderOptions ladder;
+  TradeoffOptions tradeoff;
   std::optional<CoefficientRange> sweep = std::nullopt;
 };
 
@@ -65,7 +65,7 @@ struct RankReport {
   std::optional<std::vector<Margin>> margins;
   UncertaintyRanges ranges;  // ranges of either
   std::optional<RankDetails> details;
-  ListedLadder ladder;
+  ListedTradeoff tradeoff;
   std::optional<RobustFirst> robust_first;
   std::optional<MotorForce> motor{};  // motor force of the first design, with a hand
   std::optional<PartPrices> prices;

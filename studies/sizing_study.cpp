@@ -75,7 +75,7 @@ SizingReport planned_sizing(const std::vector<Routing>& routings, const SizingOp
     const std::vector<double>& target = options.goal.target;
     planned.design.before.shares = planned.design.after.shares = target;
     const SizeSpace space =
-        size_space(expand(routing), options.nominal.hardware, options.varied, options.same);
+        size_space(expand(routing), options.nominal.hardware, options.varied, options.equal);
     for (const SizeVariable& variable : space.variables) {
       SizedVariable as_it_is;
       as_it_is.variable = variable;

@@ -52,8 +52,8 @@ class Ranker {
  public:
   explicit Ranker(const ExploreOptions& options) : options_(options), part_(options) {}
 
-  // A rung that others beat is not for the list.
-  enum class Role : std::uint8_t { ranks, rung };
+  // A step that others beat is not for the list.
+  enum class Role : std::uint8_t { ranks, step };
 
   void add(Design design, std::uint64_t equals_left_out, Role role) {
     add_score(options_.score, design.values);
@@ -63,7 +63,7 @@ class Ranker {
       ++failed_;
       return;
     }
-    if (part_.ladder.may_be_rung(design.values)) part_.ladder.add(design);
+    if (part_.tradeoff.may_be_step(design.values)) part_.tradeoff.add(design);
     if (role == Role::ranks && part_.archive.may_rank(design.values)) {
       part_.archive.add(std::move(design), equals_left_out);
     }
@@ -80,7 +80,7 @@ class Ranker {
   std::uint64_t failed_ = 0;
 };
 
-// `is_exact`: the archives hold all that is wanted, and a rung that is in none of them was beaten,
+// `is_exact`: the archives hold all that is wanted, and a step that is in none of them was beaten,
 // or counted where it equals another design.
 void add_kept(const StoreReader& store, bool same_order, bool is_exact, Ranker& ranker) {
   if (store.keep() == Keep::all) {
@@ -89,15 +89,15 @@ void add_kept(const StoreReader& store, bool same_order, bool is_exact, Ranker& 
     });
     return;
   }
-  // Rungs of the ladder may be in the archive too.
+  // Steps of the trade-off may be in the archive too.
   std::set<std::string> words;
   store.for_each_archived([&](const ArchivedDesign& kept) {
     if (!words.insert(kept.design.word).second) return;
     ranker.add(kept.design, same_order ? kept.equals_left_out : 0, Ranker::Role::ranks);
   });
-  store.for_each_rung([&](const Design& rung) {
-    if (!words.insert(rung.word).second) return;
-    ranker.add(rung, 0, is_exact ? Ranker::Role::rung : Ranker::Role::ranks);
+  store.for_each_step([&](const Design& step) {
+    if (!words.insert(step.word).second) return;
+    ranker.add(step, 0, is_exact ? Ranker::Role::step : Ranker::Role::ranks);
   });
 }
 

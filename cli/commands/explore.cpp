@@ -25,8 +25,8 @@
 #include "reports/exploration/design_list.hpp"
 #include "reports/exploration/exploration_id.hpp"
 #include "reports/exploration/explore_report.hpp"
-#include "reports/exploration/ladder_report.hpp"
 #include "reports/exploration/shard_file.hpp"
+#include "reports/exploration/tradeoff_report.hpp"
 #include "reports/output/files.hpp"
 #include "search/uncertainty/uncertainty.hpp"
 #include "studies/exploration_study.hpp"
@@ -58,7 +58,8 @@ Document shortest_document(const ExploreInputs& inputs, const ListedWith& with) 
   ExploreReport report = planned(inputs);
   report.top = {shortest_line("M-1-F", inputs.options.order, with)};
   report.front = report.top;
-  report.ladder = shortest_ladder(report.top.front(), inputs.options.order, inputs.options.ladder);
+  report.tradeoff =
+      shortest_tradeoff(report.top.front(), inputs.options.order, inputs.options.tradeoff);
   return explore_document(report, inputs.columns);
 }
 
@@ -133,7 +134,7 @@ std::vector<ShardRecord> records_of(const std::vector<ShardFile>& shards,
 // `inputs`: what is read besides what the options name.
 void prepare_folder(const ExploreFlags& flags, std::vector<InputFile> inputs) {
   flags.model.list_in(inputs);
-  flags.ladder.prices.list_in(inputs);
+  flags.tradeoff.prices.list_in(inputs);
   flags.store.list_in(inputs);
   require_no_input_in(flags.out, exploration_files(), inputs);
   prepare_directory(flags.out, "--out");
@@ -184,7 +185,7 @@ int run(const ExploreInputs& inputs, const ExploreFlags& flags, const CLI::App& 
                     ? explore_summary_json(report)
                     : flags.tables.printed(explore_document(report, inputs.columns), flags.format));
   std::cout << announced(
-      fmt::format("index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, {}{}summary.json "
+      fmt::format("index.html, designs.csv, pareto.csv, sample.csv, tradeoff.csv, {}{}summary.json "
                   "and figures",
                   report.sweep ? "sweep.csv, " : "", report.result.record ? "shard.json, " : ""),
       flags.out, flags.format);

@@ -125,7 +125,7 @@ void add_labels(CLI::App& command, ImportFlags& flags) {
                      "Run of all readings, if the log has no column run (default: 1)");
   command.add_option("--routing", flags.labels.routing,
                      "Routing of all readings, if the log has no column routing: a name of the "
-                     "catalogue or a word");
+                     "catalog or a word");
   command.add_option("--held", flags.labels.held,
                      "Held fingers of all readings, such as 1 or '1;2', if the log has no column "
                      "held (default: none)");
@@ -138,7 +138,8 @@ void add_labels(CLI::App& command, ImportFlags& flags) {
 
 void add_steadiness(CLI::App& command, SteadyOptions& options) {
   command
-      .add_option("--least-time", options.least_time_s, "Least duration of a reading in seconds")
+      .add_option("--min-duration", options.min_duration_s,
+                  "Least duration of a reading in seconds")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
   command
@@ -147,7 +148,7 @@ void add_steadiness(CLI::App& command, SteadyOptions& options) {
       ->check(CLI::Range(0.0001, 0.5))
       ->capture_default_str();
   command
-      .add_option("--per-sweep", options.per_sweep,
+      .add_option("--readings-per-stroke", options.readings_per_stroke,
                   "Greatest number of readings of one stroke with a rising or falling load")
       ->check(CLI::Range(std::size_t{1}, std::size_t{20}))
       ->capture_default_str();

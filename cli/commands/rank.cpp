@@ -12,10 +12,10 @@
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/rank_store.hpp"
-#include "cli/flags/ladder_flags.hpp"
 #include "cli/flags/reading_flags.hpp"
 #include "cli/flags/sweep_flags.hpp"
 #include "cli/flags/table_flags.hpp"
+#include "cli/flags/tradeoff_flags.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
@@ -30,8 +30,8 @@
 #include "pages/shell/page.hpp"
 #include "pages/shell/result_files.hpp"
 #include "reports/exploration/design_list.hpp"
-#include "reports/exploration/ladder_report.hpp"
 #include "reports/exploration/sweep_report.hpp"
+#include "reports/exploration/tradeoff_report.hpp"
 #include "reports/rank_report.hpp"
 #include "studies/ranking_study.hpp"
 #include "studies/tension_distributions.hpp"
@@ -53,7 +53,7 @@ struct RankFlags {
   ReadingFlags readings;
   std::string distributions = "0.18,0.09";
   RankingFlags ranking;
-  LadderFlags ladder;
+  TradeoffFlags tradeoff;
   SweepFlags sweep;
   ModelOption model;
   TableFlags tables;
@@ -127,7 +127,7 @@ void write_page(const RankReport& report, const std::filesystem::path& folder,
   const std::string json = rank_json(report);
   write_result(
       folder,
-      {{{"ladder.csv", ladder_csv(report.ladder)},
+      {{{"tradeoff.csv", tradeoff_csv(report.tradeoff)},
         {"sweep.csv", report.sweep ? std::optional(sweep_csv(*report.sweep)) : std::nullopt}},
        page.figures,
        {{"index.html", page.html}, {"ranking.json", json}}},
@@ -161,9 +161,9 @@ RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
   if (flags.margin) require_the_two_means(request.order);
   request.margins = flags.margin;
   request.threads = flags.ranking.threads;
-  request.prices = flags.ladder.read_prices();
-  request.ladder = flags.ladder.read();
-  flags.ladder.require_prices(request.order, request.score, {});
+  request.prices = flags.tradeoff.read_prices();
+  request.tradeoff = flags.tradeoff.read();
+  flags.tradeoff.require_prices(request.order, request.score, {});
   request.sweep = flags.sweep.read();
   require_sweep(request.sweep, uncertainty_of(request), request.draws.has_value());
   return request;
@@ -172,9 +172,9 @@ RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
 void require_places(const RankFlags& flags) {
   std::vector<InputFile> inputs;
   flags.model.list_in(inputs);
-  flags.ladder.prices.list_in(inputs);
+  flags.tradeoff.prices.list_in(inputs);
   if (flags.data_given->count() > 0) inputs.push_back({flags.data, "the data"});
-  flags.out.require_apart_from(inputs, {"index.html", "ladder.csv", "sweep.csv", "ranking.json"});
+  flags.out.require_apart_from(inputs, {"index.html", "tradeoff.csv", "sweep.csv", "ranking.json"});
 }
 
 TensionDistributions distributions_of(const RankInputs& inputs) {
@@ -197,7 +197,7 @@ Document shortest_document(const RankRequest& asked, const ListedWith& with,
     report.designs.push_back(shortest_line(to_word(routing), asked.order, with));
   }
   if (report.designs.size() > 1) {
-    report.ladder = shortest_ladder(report.designs.front(), asked.order, asked.ladder);
+    report.tradeoff = shortest_tradeoff(report.designs.front(), asked.order, asked.tradeoff);
   }
   return rank_document(report, columns);
 }
@@ -248,18 +248,18 @@ int run(const RankFlags& flags, const CLI::App& command) {
   print(*report, flags, columns);
   if (flags.out.is_given()) {
     std::cout << announced(report->sweep
-                               ? "index.html, ladder.csv, sweep.csv, ranking.json and figures"
-                               : "index.html, ladder.csv, ranking.json and figures",
+                               ? "index.html, tradeoff.csv, sweep.csv, ranking.json and figures"
+                               : "index.html, tradeoff.csv, ranking.json and figures",
                            folder, flags.format);
   }
   return done;
 }
 
 void add_options(CLI::App& command, RankFlags& flags) {
-  command.add_option("routing", flags.routings, "Catalogue names or words");
+  command.add_option("routing", flags.routings, "Catalog names or words");
   CLI::Option* catalog =
       command.add_flag("--catalog", flags.catalog,
-                       "All routings of one family of the catalogue that have the same number of "
+                       "All routings of one family of the catalog that have the same number of "
                        "fingers, or --fingers");
   flags.family
       .add_to(command,
@@ -275,7 +275,7 @@ void add_options(CLI::App& command, RankFlags& flags) {
                    "Find the coefficients, within their ranges, at which the best design's lead "
                    "is least");
   CLI::Option* out =
-      flags.out.add_to(command, "index.html, ranking.json, ladder.csv, sweep.csv and figures/");
+      flags.out.add_to(command, "index.html, ranking.json, tradeoff.csv, sweep.csv and figures/");
   flags.data_given =
       command
           .add_option("--data", flags.data,
@@ -284,14 +284,14 @@ void add_options(CLI::App& command, RankFlags& flags) {
           ->needs(out);
   flags.readings.add_to(command, flags.data_given);
   command
-      .add_option("--distributions", flags.distributions,
+      .add_option("--distribution-mu", flags.distributions,
                   "Friction coefficients of the tension distributions on the page; 'model': "
                   "those of the model")
       ->needs(out)
       ->capture_default_str();
   flags.stored.add_to(command);
   flags.ranking.add_to(command);
-  flags.ladder.add_to(command);
+  flags.tradeoff.add_to(command);
   flags.sweep.add_to(command, "the designs");
   flags.model.add_with_friction_to(command);
   flags.tables.add_to(command, "the ranking");

@@ -38,7 +38,7 @@ struct SizeFlags {
   CLI::Option* from_given = nullptr;
   std::size_t top = 20;
   std::vector<std::string> vary;
-  std::vector<std::string> same;
+  std::vector<std::string> equal;
   std::string goal = "uniformity*efficiency";
   std::string target;
   CLI::Option* target_given = nullptr;
@@ -106,7 +106,7 @@ void add_search(CLI::App& command, SizeFlags& flags) {
 }
 
 void add_options(CLI::App& command, SizeFlags& flags) {
-  command.add_option("routing", flags.routings, "Catalogue names or words");
+  command.add_option("routing", flags.routings, "Catalog names or words");
   flags.from_given = command.add_option(
       "--from", flags.from, "Folder of an exploration, whose best designs are sized too");
   command.add_option("--top", flags.top, "Number of designs of --from")
@@ -119,7 +119,7 @@ void add_options(CLI::App& command, SizeFlags& flags) {
                   "motor_side_mm hand_mm")
       ->allow_extra_args(false);
   command
-      .add_option("--same", flags.same,
+      .add_option("--equal", flags.equal,
                   "Dimensions that stay equal: tips, sheaths, strands, arms, or "
                   "'sheath_angle[2,3,4]'; may be repeated")
       ->allow_extra_args(false);
@@ -182,14 +182,15 @@ void read_bounds(const SizeFlags& flags, const VaryTable& table, SizingOptions& 
     options.varied.push_back(for_name("--", [&] { return parse_varied(text); }));
     options.varied.back().text.insert(0, "--");
   }
-  for (const std::string& text : flags.same) {
-    for (SameGroup& group : for_name("--", [&] { return parse_same(text); })) {
+  for (const std::string& text : flags.equal) {
+    for (EqualGroup& group : for_name("--", [&] { return parse_equal(text); })) {
       group.text.insert(0, "--");
-      options.same.push_back(std::move(group));
+      options.equal.push_back(std::move(group));
     }
   }
   if (flags.vary.empty()) {
-    read_vary({table.bounds, flags.same.empty() ? table.same : std::vector<GivenSame>{}}, options);
+    read_vary({table.bounds, flags.equal.empty() ? table.equal : std::vector<GivenEqual>{}},
+              options);
   }
   if (options.varied.empty()) {
     throw InputError({.where = "size",
@@ -331,7 +332,7 @@ SizeInputs read(const SizeFlags& flags) {
   require_contacts_to_match(hardware, inputs.routings);
   inputs.options = read_options(flags, file, finger_count(inputs.routings.front()));
   inputs.vary = file.vary;
-  require_ranges_to_match(inputs.routings, hardware, inputs.options.varied, inputs.options.same);
+  require_ranges_to_match(inputs.routings, hardware, inputs.options.varied, inputs.options.equal);
   inputs.columns = read_columns(flags, hardware);
   flags.tables.require_width(flags.format);
   flags.tables.require_room(flags.format, [&] { return shortest_document(inputs); });

@@ -125,9 +125,9 @@ ExploreOptions ExploreFlags::read(const Model& with, const Catalogue& catalogue)
     require_hand_for(fmt::format("--constraint '{}'", constraint.text), {constraint.objective},
                      with.hardware);
   }
-  options.prices = ladder.read_prices();
-  options.ladder = ladder.read();
-  ladder.require_prices(options.order, options.score, options.constraints);
+  options.prices = tradeoff.read_prices();
+  options.tradeoff = tradeoff.read();
+  tradeoff.require_prices(options.order, options.score, options.constraints);
   options.top = top;
   options.threads = ranking.threads;
   options.references = known_routings(options, catalogue);
@@ -166,7 +166,7 @@ std::optional<SizingOptions> ExploreFlags::read_target(const ModelFile& file,
 void ExploreFlags::add_to(CLI::App& command) {
   generator.add_to(command, true);
   ranking.add_to(command);
-  ladder.add_to(command);
+  tradeoff.add_to(command);
   store.add_to(command);
   sweep.add_to(command, "up to 8 designs");
   command

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/flags/ladder_flags.hpp"
 #include "cli/flags/sweep_flags.hpp"
 #include "cli/flags/table_flags.hpp"
+#include "cli/flags/tradeoff_flags.hpp"
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "search/checkpoint.hpp"
@@ -53,7 +53,7 @@ struct ExploreFlags {
 
   GeneratorFlags generator;
   RankingFlags ranking;
-  LadderFlags ladder;
+  TradeoffFlags tradeoff;
   SweepFlags sweep;
   StoreFlags store;
   std::vector<std::string> constraints;

@@ -72,9 +72,9 @@
     view.data("chosen", seen).data("labels", labels).runAsync();
   }
 
-  // Returns the designs that the ladder marks.
+  // Returns the designs that the trade-off marks.
   const advised = () =>
-    reeve.data.ladder.advised
+    reeve.data.tradeoff.advised
       .map(({ word, label }) => ({ row: state.rowOf(word), label }))
       .filter(({ row }) => row !== undefined);
 
@@ -196,9 +196,9 @@
     return button;
   }
 
-  // Lines of the ladder are designs, too.
-  function ladderRows() {
-    for (const line of document.querySelectorAll("#ladder-table tbody tr")) {
+  // Lines of the trade-off are designs, too.
+  function tradeoffRows() {
+    for (const line of document.querySelectorAll("#tradeoff-table tbody tr")) {
       const cell = [...line.cells].findLast(({ textContent }) => state.rowOf(textContent.trim()) !== undefined);
       if (!cell) continue;
       const row = state.rowOf(cell.textContent.trim());
@@ -207,7 +207,7 @@
       line.addEventListener("pointerenter", () => state.point(row));
       line.addEventListener("focusin", () => state.point(row));
     }
-    const table = document.getElementById("ladder-table");
+    const table = document.getElementById("tradeoff-table");
     table?.addEventListener("pointerleave", () => state.point(null));
     table?.addEventListener("focusout", () => state.point(null));
   }
@@ -228,7 +228,7 @@
   explorationTable.start();
   explorationFinder.start();
   explorationBrushes.start();
-  ladderRows();
+  tradeoffRows();
   for (const place of document.querySelectorAll("#answer p, #won, #changes, #bests tbody")) linkDesigns(place);
   explorationMoves.start(moves);
   document.getElementById("clear").addEventListener("click", state.clear);

@@ -19,7 +19,7 @@ const explorationPanel = (() => {
   }
 
   function heading(row) {
-    const { first, heading: affordable, affordable: word, knee } = reeve.data.ladder;
+    const { first, heading: affordable, affordable: word, knee } = reeve.data.tradeoff;
     const own = state.designs().word[row];
     const roles = [
       own === first && "Best", own === word && affordable, own === knee && "knee of the trade-off"].filter(Boolean);

@@ -33,7 +33,7 @@ const explorationState = (() => {
     const kind = designs.kind[row];
     const has = {
       listed: designs.rank[row] > 0,
-      named: reeve.data.ladder.named.includes(designs.word[row]),
+      named: reeve.data.tradeoff.named.includes(designs.word[row]),
       front: designs.front[row] === 1,
       known: kind === 2,
       sample: kind === 3,
@@ -115,7 +115,7 @@ const explorationState = (() => {
   // The first design and, beside it, the affordable one; or else the best of the known routings, or
   // the next that differs in what the ranking counts.
   function firstSelection() {
-    const affordable = rowOf.get(reeve.data.ladder.affordable);
+    const affordable = rowOf.get(reeve.data.tradeoff.affordable);
     if (affordable !== undefined) return [0, affordable];
     const known = designs.kind.findIndex((kind, row) => kind === 2 && row > 0);
     const differs = (row) =>

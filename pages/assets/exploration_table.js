@@ -100,7 +100,7 @@ const explorationTable = (() => {
     const routing = element("th", { scope: "row", className: "left", textContent: designs.word[row] });
     if (!alike.has(row)) line.className = "alike";
     line.dataset.kind = designs.kind[row];
-    if (reeve.data.ladder.advised.some(({ word }) => word === designs.word[row])) line.classList.add("advised");
+    if (reeve.data.tradeoff.advised.some(({ word }) => word === designs.word[row])) line.classList.add("advised");
     line.append(selector(row), cell(rank), cell(designs.name[row] || "–", "left"), routing);
     line.append(alikeCell(row), cell(designs.front[row] || "–"));
     line.addEventListener("pointerenter", () => state.point(row));

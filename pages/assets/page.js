@@ -87,9 +87,79 @@ const reeve = (() => {
     });
   }
 
+  const phone = matchMedia("(max-width: 40rem)");
+
+  // On a phone a table that is too wide has its rows one below the other, each value behind its heading.
+  // Of more columns a row would fill the screen.
+  function wrapTables() {
+    for (const table of document.querySelectorAll(".scroll > table:not(.wraps)")) {
+      const { clientWidth, scrollWidth } = table.parentElement;
+      const labels = [...(table.tHead?.rows[0].cells ?? [])].map((heading) => heading.textContent);
+      if (scrollWidth <= clientWidth || labels.length > 12) continue;
+      table.classList.add("wraps");
+      for (const { cells } of table.tBodies[0].rows) {
+        for (const cell of cells) cell.dataset.label = labels[cell.cellIndex] ?? "";
+      }
+    }
+  }
+
+  // The keys of a legend, each of symbols and a text, in rows of that width. Returns their height.
+  function flow(legend, left, width) {
+    let [x, y, key] = [left, 0, []];
+    for (const part of legend?.children ?? []) {
+      key.push(part);
+      if (part.tagName !== "text") continue;
+      const from = key[0].getBBox().x;
+      const { x: at, width: wide } = part.getBBox();
+      if (x > left && x + at + wide - from > left + width) [x, y] = [left, y + 20];
+      const down = y - Number(part.getAttribute("y"));
+      for (const each of key) each.setAttribute("transform", `translate(${x - from} ${down})`);
+      x += at + wide - from + 16;
+      key = [];
+    }
+    return legend?.getBBox().height ?? 0;
+  }
+
+  // There panels that stand beside each other, too small to read, go below each other, unless they
+  // share the numbers of an axis.
+  function stackPanels() {
+    for (const svg of document.querySelectorAll(".chart .still > svg:not([data-stacked])")) {
+      const panels = [...svg.querySelectorAll(".reeve-panel")];
+      const scale = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
+      const isWhole = (panel) => panel.querySelector('text[text-anchor="end"]');
+      if (panels.length < 2 || scale === 0 || scale > 0.8 || !panels.every(isWhole)) continue;
+      svg.dataset.stacked = "";
+      const widths = panels.map((panel) => panel.getBBox().width);
+      const { x: left, y: top } = panels[0].getBBox();
+      const width = Math.max(330, ...widths);
+      let [x, y, bottom] = [left, top, top];
+      panels.forEach((panel, i) => {
+        if (x > left && x + widths[i] > left + width) [x, y] = [left, bottom];
+        const box = panel.getBBox();
+        panel.setAttribute("transform", `translate(${x - box.x} ${y - box.y})`);
+        x += box.width + 8;
+        bottom = Math.max(bottom, y + box.height + 16);
+      });
+      const legend = svg.querySelector(".reeve-legend");
+      const height = bottom + flow(legend, left, width) + 8;
+      legend?.setAttribute("transform", `translate(0 ${bottom - legend.getBBox().y})`);
+      svg.setAttribute("viewBox", `0 0 ${left + width + 8} ${height}`);
+      for (const each of [svg, svg.querySelector(".reeve-paper")]) {
+        each.setAttribute("width", left + width + 8);
+        each.setAttribute("height", height);
+      }
+    }
+  }
+
+  function fitPhone() {
+    if (!phone.matches) return;
+    wrapTables();
+    stackPanels();
+  }
+
   // On a phone what is below the first screen begins folded; what an address points at is open.
   function fold() {
-    if (!matchMedia("(max-width: 40rem)").matches) return;
+    if (!phone.matches) return;
     for (const details of document.querySelectorAll("details.fold")) details.open = false;
     unfoldTarget();
   }
@@ -115,6 +185,7 @@ const reeve = (() => {
   addEventListener("hashchange", unfoldTarget);
   // Charts that are as wide as their place have to see it.
   document.addEventListener("toggle", () => dispatchEvent(new Event("resize")), true);
+  addEventListener("resize", fitPhone);
 
   // Links to the headings, where a page is longer than three screens.
   function addContents() {
@@ -134,7 +205,7 @@ const reeve = (() => {
     contents.className = "controls";
     contents.setAttribute("aria-label", "On this page");
     const list = document.createElement("details");
-    list.open = !document.querySelector("main.wide") && !matchMedia("(max-width: 40rem)").matches;
+    list.open = !document.querySelector("main.wide") && !phone.matches;
     const summary = document.createElement("summary");
     summary.textContent = "On this page";
     list.append(summary, ...links);
@@ -147,6 +218,7 @@ const reeve = (() => {
     if (!figure.querySelector(".live")) savable(figure);
   }
   for (const table of document.querySelectorAll("table.sortable")) sortable(table);
+  fitPhone();
   // Live charts are drawn first, while their places can be seen.
   if (!document.querySelector(".live")) fold();
 

@@ -257,7 +257,7 @@ Figure runs_figure(const DiagnosisReport& report) {
   chart::Chart chart;
   chart.alt = fmt::format("Root mean square residuals of {} held-out runs{}, and of noise alone.",
                           all, extended ? ", before and after" : "");
-  chart.width = 480;
+  chart.width = 330;
   chart.height = row_px * static_cast<double>(drawn);
   chart.panels.push_back(panel(report, drawn, extended));
   return {"held-out-runs", "Each held-out run by itself.", caption, chart_svg(chart)};

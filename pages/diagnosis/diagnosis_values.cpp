@@ -177,7 +177,7 @@ Json data_values(const DiagnosisPageInput& input) {
           {"hold_out", percent_text(settings.hold_out)},
           {"seed", settings.seed},
           {"replicates", settings.replicates},
-          {"explore", report.with_generated},
+          {"generated_routings", report.with_generated},
           {"friction", friction_table(report.hardware)}};
 }
 

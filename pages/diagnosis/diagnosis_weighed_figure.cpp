@@ -152,7 +152,7 @@ Figure weighed_figure(const DiagnosisReport& report) {
       "Gain in log-likelihood of {} models, best {}; the table below has the "
       "numbers.",
       names.size(), names.empty() ? "none" : names.front());
-  chart.width = 480;
+  chart.width = 280;
   chart.height = model_row_px(result.weighed) * static_cast<double>(names.size());
   chart.panels.push_back(std::move(panel));
   return {"weighed", "The causes, weighed.", weighed_caption(report), chart_svg(chart)};

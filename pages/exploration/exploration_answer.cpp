@@ -21,8 +21,8 @@
 namespace reeve::pages {
 namespace {
 
-const ListedDesign* knee(const ListedLadder& ladder) {
-  return ladder.ladder.knee ? &ladder.rungs[*ladder.ladder.knee] : nullptr;
+const ListedDesign* knee(const ListedTradeoff& tradeoff) {
+  return tradeoff.tradeoff.knee ? &tradeoff.steps[*tradeoff.tradeoff.knee] : nullptr;
 }
 
 // The counts of parts are said anyway.
@@ -76,7 +76,7 @@ constexpr std::size_t first_lines = 3;
 Json answer_first(const ExploreReport& report) {
   Json sentences = Json::array();
   add_sentences(target_lines(report.target), sentences);
-  std::vector<DocumentLine> lines = answer_lines(listed_designs(report), report.ladder);
+  std::vector<DocumentLine> lines = answer_lines(listed_designs(report), report.tradeoff);
   if (lines.size() < first_lines) return sentences;
   lines.resize(first_lines);
   lines[0].text += ". " + lines[1].text;
@@ -87,7 +87,7 @@ Json answer_first(const ExploreReport& report) {
 
 Json answer_further(const ExploreReport& report) {
   Json sentences = Json::array();
-  std::vector<DocumentLine> lines = answer_lines(listed_designs(report), report.ladder);
+  std::vector<DocumentLine> lines = answer_lines(listed_designs(report), report.tradeoff);
   lines.erase(lines.begin(),
               lines.begin() + static_cast<std::ptrdiff_t>(std::min(first_lines, lines.size())));
   add_sentences(lines, sentences);
@@ -108,21 +108,22 @@ Json answer_body(const ExploreReport& report, const SolveDesign& solve) {
   body["slots"] = Json::array();
   if (listed.empty()) return body;
   body["slots"].push_back(slot("slot-first", "Best", listed.front(), report, solve));
-  if (report.ladder.affordable) {
-    const std::string heading = advised_text(report.ladder.ladder.options);
+  if (report.tradeoff.affordable) {
+    const std::string heading = advised_text(report.tradeoff.tradeoff.options);
     body["slots"].push_back(
-        slot("slot-affordable", heading, *report.ladder.affordable, report, solve));
+        slot("slot-affordable", heading, *report.tradeoff.affordable, report, solve));
   }
   return body;
 }
 
 std::vector<AdvisedDesign> advised_designs(const ExploreReport& report) {
-  const ListedLadder& ladder = report.ladder;
+  const ListedTradeoff& tradeoff = report.tradeoff;
   std::vector<AdvisedDesign> designs;
-  if (ladder.affordable) {
-    designs.push_back({ladder.affordable->ranked.design.word, within_text(ladder.ladder.options)});
+  if (tradeoff.affordable) {
+    designs.push_back(
+        {tradeoff.affordable->ranked.design.word, within_text(tradeoff.tradeoff.options)});
   }
-  if (const ListedDesign* bend = knee(ladder)) {
+  if (const ListedDesign* bend = knee(tradeoff)) {
     const std::string& word = bend->ranked.design.word;
     if (!designs.empty() && designs.front().word == word) {
       designs.front().label += ", knee";
@@ -133,9 +134,9 @@ std::vector<AdvisedDesign> advised_designs(const ExploreReport& report) {
   return designs;
 }
 
-Json ladder_marks(const ExploreReport& report) {
+Json tradeoff_marks(const ExploreReport& report) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
-  const ListedLadder& ladder = report.ladder;
+  const ListedTradeoff& tradeoff = report.tradeoff;
   Json named = Json::array();
   for (const ListedDesign* design : named_designs(report)) {
     named.push_back(design->ranked.design.word);
@@ -145,30 +146,30 @@ Json ladder_marks(const ExploreReport& report) {
     advised.push_back({{"word", design.word}, {"label", design.label}});
   }
   return {{"first", word_or_null(listed.empty() ? nullptr : &listed.front())},
-          {"affordable", word_or_null(ladder.affordable ? &*ladder.affordable : nullptr)},
-          {"knee", word_or_null(knee(ladder))},
-          {"heading", advised_text(ladder.ladder.options)},
+          {"affordable", word_or_null(tradeoff.affordable ? &*tradeoff.affordable : nullptr)},
+          {"knee", word_or_null(knee(tradeoff))},
+          {"heading", advised_text(tradeoff.tradeoff.options)},
           {"advised", std::move(advised)},
           {"named", std::move(named)}};
 }
 
 std::vector<const ListedDesign*> named_designs(const ExploreReport& report) {
-  const ListedLadder& ladder = report.ladder;
+  const ListedTradeoff& tradeoff = report.tradeoff;
   std::vector<const ListedDesign*> designs;
   std::set<std::string_view> held;
   const auto add = [&](const ListedDesign& design) {
     if (held.insert(design.ranked.design.word).second) designs.push_back(&design);
   };
   if (!listed_designs(report).empty()) add(listed_designs(report).front());
-  for (const auto* design : {&ladder.affordable, &ladder.with_bars, &ladder.never_jams}) {
+  for (const auto* design : {&tradeoff.affordable, &tradeoff.with_bars, &tradeoff.never_jams}) {
     if (*design) add(**design);
   }
-  if (ladder.choice) {
-    add(ladder.choice->without);
-    add(ladder.choice->with);
+  if (tradeoff.choice) {
+    add(tradeoff.choice->without);
+    add(tradeoff.choice->with);
   }
   if (report.robust_first) add(report.robust_first->robust.design);
-  for (const ListedDesign& rung : ladder.rungs) add(rung);
+  for (const ListedDesign& step : tradeoff.steps) add(step);
   return designs;
 }
 

@@ -15,12 +15,12 @@ namespace reeve::pages {
 // design is left.
 Json answer_body(const ExploreReport& report, const SolveDesign& solve);
 
-// Marks of the ladder for the script: words of "first", "affordable" and "knee", or null;
+// Marks of the trade-off for the script: words of "first", "affordable" and "knee", or null;
 // "heading", the kind of the affordable design: "Fewest sheaths within 2 %"; "advised", the designs
 // that plots mark.
 // "heading", what the affordable design is: "Fewest sheaths within 2 %"; "advised", the designs
 // that plots mark; "named", the words of the named designs.
-Json ladder_marks(const ExploreReport& report);
+Json tradeoff_marks(const ExploreReport& report);
 
 struct AdvisedDesign {
   std::string word;
@@ -28,7 +28,7 @@ struct AdvisedDesign {
 };
 std::vector<AdvisedDesign> advised_designs(const ExploreReport& report);
 
-// Returns the designs that the answer and the ladder name, the first one first, each once.
+// Returns the designs that the answer and the trade-off name, the first one first, each once.
 std::vector<const ListedDesign*> named_designs(const ExploreReport& report);
 
 }  // namespace reeve::pages

@@ -81,7 +81,7 @@ std::size_t room_for(const ExploreReport& report) {
   return clearly * room < static_cast<double>(listed) ? static_cast<std::size_t>(room) : listed;
 }
 
-// Why a known routing is not in the list, or one of the ladder.
+// Why a known routing is not in the list, or one of the trade-off.
 std::string standing(const ReferenceStanding& reference, const ExploreReport& report) {
   if (!reference.generated && report.result.partial)
     return "it was not reached before the exploration stopped";

@@ -29,7 +29,7 @@ std::string held_text(const ExploreReport& report, std::size_t held);
 std::string sample_text(std::ptrdiff_t others);
 std::string details_text(const ExplorationView& view, const DesignDetails& details);
 
-// {word: why it has no place in the list}: of known routings and of the ladder.
+// {word: why it has no place in the list}: of known routings and of the trade-off.
 Json standings_json(const ExploreReport& report);
 
 }  // namespace reeve::pages

@@ -166,7 +166,7 @@ Page page(const ExplorationView& view, const HeldDesigns& held, const DesignDeta
            {"specifications", specifications()},
            {"columns", held.packed},
            {"commands", commands(view)},
-           {"ladder", ladder_marks(view.report)},
+           {"tradeoff", tradeoff_marks(view.report)},
            {"standings", standings_json(view.report)},
            {"chunks", details.chunks}},
           true};
@@ -197,7 +197,7 @@ PageFiles exploration_page(const ExplorationView& view) {
   Json body = words_json(report);
   body.update(static_tables(report));
   body.update(answer_body(report, view.solve));
-  body["ladder"] = ladder_html(report.ladder);
+  body["tradeoff"] = tradeoff_html(report.tradeoff);
   std::vector<GlossaryTerm> terms = ranking_terms();
   for (GlossaryTerm& term : objective_terms(page_objectives(report)))
     terms.push_back(std::move(term));

@@ -19,12 +19,12 @@ std::vector<GlossaryTerm> ranking_terms() {
           {"known routing", "one that has a name, from print"}};
 }
 
-std::vector<GlossaryTerm> ladder_terms() {
+std::vector<GlossaryTerm> tradeoff_terms() {
   return {{"gain", "improvement over the line above"},
           {"kept", "value relative to the first design, in the ranked objective that loses most"},
           {"knee",
-           "where the ladder bends: the line that stands highest above the chord between its "
-           "ends; a hint, since it depends on where the ladder ends"},
+           "where the trade-off bends: the line that stands highest above the chord between its "
+           "ends; a hint, since it depends on where the trade-off ends"},
           {"within …", "the design with least of the measure that loses no more than this"}};
 }
 

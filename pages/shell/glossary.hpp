@@ -16,8 +16,8 @@ struct GlossaryTerm {
 
 // Terms of every ranking besides its objectives.
 std::vector<GlossaryTerm> ranking_terms();
-// Terms of a ladder.
-std::vector<GlossaryTerm> ladder_terms();
+// Terms of a trade-off.
+std::vector<GlossaryTerm> tradeoff_terms();
 // Terms of a routing by itself.
 std::vector<GlossaryTerm> routing_terms();
 // The objectives by the names that pages give them, with their unit and which way is better.

@@ -55,7 +55,7 @@ class Ranking(SavedResult):
         The columns of designs.csv (docs/json.md); units in ``attrs["units"]``.
     front : pandas.DataFrame
         Those that no other beats in every objective.
-    ladder : pandas.DataFrame
+    tradeoff : pandas.DataFrame
         Best design for each number of parts.
     """
 
@@ -69,10 +69,10 @@ class Ranking(SavedResult):
         return designs[designs["front"] == 1]
 
     @property
-    def ladder(self) -> "pandas.DataFrame":
+    def tradeoff(self) -> "pandas.DataFrame":
         import pandas
 
-        return pandas.json_normalize((self.summary.get("ladder") or {}).get("rungs") or [])
+        return pandas.json_normalize((self.summary.get("tradeoff") or {}).get("steps") or [])
 
     def plot(self, x: str = "uniformity_mean", y: str = "efficiency_mean", ax: Any = None) -> Any:
         """Two objectives of the designs against each other, the front marked; with matplotlib.
@@ -94,9 +94,9 @@ class Ranking(SavedResult):
         designs = self.designs
         table = designs[[name for name in shown if name in designs]].head(10)
         html = str(table.to_html(index=False))
-        ladder = self.ladder
-        if len(ladder):
-            html += "<p>Best design for each number of parts:</p>" + str(ladder.to_html(index=False))
+        tradeoff = self.tradeoff
+        if len(tradeoff):
+            html += "<p>Best design for each number of parts:</p>" + str(tradeoff.to_html(index=False))
         return html
 
 
@@ -229,7 +229,7 @@ class Shown(SavedResult):
         return self.svg()
 
 
-class Catalogue(SavedResult):
+class Catalog(SavedResult):
     """Known routings and mechanisms by name.
 
     Attributes

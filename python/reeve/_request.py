@@ -21,7 +21,7 @@ from .errors import InputError, OutOfRange
 
 # Options of which each value is given by itself; of all others a list is joined by commas.
 _REPEATED = {
-    "constraint", "vary", "same", "map", "unit", "noise", "exact", "held", "column", "run-column",
+    "constraint", "vary", "equal", "map", "unit", "noise", "exact", "held", "column", "run-column",
 }
 
 

@@ -20,7 +20,7 @@ OF_THE_SHELL = {
 COMMANDS = {"import_log": "import", "power": "simulate"} | {
     name: name
     for name in ("explore", "merge", "rank", "size", "diagnose", "compare", "show", "count",
-                 "check", "catalogue", "simulate")
+                 "check", "catalog", "simulate")
 }
 
 
@@ -117,13 +117,13 @@ def test_counts_and_checks(program):
     assert (checked.checks["status"] != "differs").all()
 
 
-def test_the_catalogue_by_name(program):
-    listed = reeve.catalogue(fingers=4)
-    told = json.loads(program("catalogue", "--fingers", "4", "--format", "json"))
+def test_the_catalog_by_name(program):
+    listed = reeve.catalog(fingers=4)
+    told = json.loads(program("catalog", "--fingers", "4", "--format", "json"))
     assert list(listed.mechanisms["name"]) == [entry["name"] for entry in told["mechanisms"]]
     assert set(listed.mechanisms["fingers"]) == {4}
     with pytest.raises(reeve.InputError, match="^--fingers"):
-        reeve.catalogue(fingers=60)
+        reeve.catalog(fingers=60)
 
 
 def test_drawings():

@@ -64,8 +64,8 @@ def test_an_exploration(saved):
 
 
 def test_a_ranking(saved):
-    saved(reeve.rank("TR1", reeve.Routing("TR7"), distributions="0.18"),
-          "rank", "TR1", "1-P-2-P-1", "--distributions", "0.18")
+    saved(reeve.rank("TR1", reeve.Routing("TR7"), distribution_mu="0.18"),
+          "rank", "TR1", "1-P-2-P-1", "--distribution-mu", "0.18")
 
 
 def test_a_routing(saved):
@@ -73,8 +73,8 @@ def test_a_routing(saved):
           "show", "TR5", "--held", "1", "--held", "1,2", "--direction", "release")
 
 
-def test_the_catalogue(saved):
-    saved(reeve.catalogue(family="paper"), "catalogue", "--family", "paper")
+def test_the_catalog(saved):
+    saved(reeve.catalog(family="paper"), "catalog", "--family", "paper")
 
 
 def test_a_diagnosis(saved, root):

@@ -13,7 +13,7 @@ CATALOG = ROOT / "catalog"
 
 # Schema of each golden file, by the beginning of its name.
 SCHEMA_OF = {
-    "catalogue": "catalogue", "check": "check", "compare": "comparison", "count": "count", "diagnose": "diagnosis",
+    "catalog": "catalog", "check": "check", "compare": "comparison", "count": "count", "diagnose": "diagnosis",
     "explore_summary": "summary", "import": "import", "rank": "rank", "show": "show", "size": "sizing",
 }
 HAND = CATALOG / "hardware/three_finger_hand.toml"
@@ -29,7 +29,7 @@ COMMANDS = [
     ("show", "show", "M-1-M+M-2-M+M-3-M", "--hardware", HAND),
     ("rank", "rank", "TR3", "TR7", "--margin"),
     ("rank", "rank", "TR3", "TR7", "--sweep", "mu=0.1..0.2", "--uncertainty", "--draws", "3"),
-    ("rank", "rank", "TR5", "TR7", "--data", READINGS, "--distributions", "0.18,model", "--out", "out"),
+    ("rank", "rank", "TR5", "TR7", "--data", READINGS, "--distribution-mu", "0.18,model", "--out", "out"),
     ("rank", "rank", "TR5", "--cost", PRICES, "--model", MODEL),
     ("rank", "rank", "M-1-T-2-T-3-F", "--hardware", HAND, "--uncertainty", "--draws", "3"),
     ("summary", "explore", "--cost", PRICES, "--within", "5%"),
@@ -46,7 +46,7 @@ COMMANDS = [
     ("power", "simulate", "--routings", "TR5", "--rows", "6", "--cause", "sensor_gain[T3]",
      "--set", "gain=1.3", "--runs", "4", "--power", "1"),
     ("sizing", *SIZE, "--target", "1=2,others=1"),
-    ("sizing", *SIZE, "--hardware", HAND, "--goal", "motor_force", "--same", "sheaths"),
+    ("sizing", *SIZE, "--hardware", HAND, "--goal", "motor_force", "--equal", "sheaths"),
 ]
 
 

@@ -79,9 +79,9 @@ double usual_step(const LoggedSeries& series, const std::vector<Recording>& part
   return steps.empty() ? 0 : median(std::move(steps));
 }
 
-double block_width(double least_time_s, double usual_step_s) {
+double block_width(double min_duration_s, double usual_step_s) {
   constexpr double samples = 3;  // so that one of them may be wild
-  return std::max(least_time_s / blocks_per_least_time, samples * usual_step_s);
+  return std::max(min_duration_s / blocks_per_min_duration, samples * usual_step_s);
 }
 
 std::vector<SeriesBlock> series_blocks(const LoggedSeries& series, const Recording& part,

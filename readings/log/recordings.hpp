@@ -40,7 +40,7 @@ Recordings recordings(const LoggedSeries& series);
 // Median of the steps of the clock that are not 0; 0 if there is none.
 double usual_step(const LoggedSeries& series, const std::vector<Recording>& parts);
 
-inline constexpr std::size_t blocks_per_least_time = 5;
+inline constexpr std::size_t blocks_per_min_duration = 5;
 
 struct SeriesBlock {
   std::size_t begin = 0;  // samples [begin, end)
@@ -75,7 +75,7 @@ EndLevels end_levels(std::size_t begin, std::size_t end, Signal signal) {
   return {median(std::move(first)), median(std::move(last))};
 }
 
-double block_width(double least_time_s, double usual_step_s);
+double block_width(double min_duration_s, double usual_step_s);
 
 std::vector<SeriesBlock> series_blocks(const LoggedSeries& series, const Recording& part,
                                        double width_s);

@@ -32,9 +32,9 @@ struct BlockLine {
 // Through the ratios of the blocks of a least time from `begin` on.
 BlockLine line_from(const std::vector<SeriesBlock>& blocks, std::size_t begin,
                     std::size_t tension) {
-  constexpr auto count = static_cast<double>(blocks_per_least_time);
+  constexpr auto count = static_cast<double>(blocks_per_min_duration);
   BlockLine line;
-  const std::size_t end = begin + blocks_per_least_time;
+  const std::size_t end = begin + blocks_per_min_duration;
   for (std::size_t i = begin; i < end; ++i) {
     line.time_s += blocks[i].time_s / count;
     line.level += ratio(blocks[i], tension) / count;
@@ -138,7 +138,7 @@ struct BlocksAhead {
 
 // Returns the noise of the forecast of these blocks' mean over that of the next block.
 double reach_of_noise(BlocksAhead ahead) {
-  constexpr auto count = static_cast<double>(blocks_per_least_time);
+  constexpr auto count = static_cast<double>(blocks_per_min_duration);
   const auto variance = [&](const BlocksAhead& of) {
     const double away = of.middle() + (count - 1) / 2;
     return 1 / of.count() + 1 / count + away * away * 12 / (count * (count * count - 1));
@@ -258,7 +258,7 @@ std::vector<RatioNoise> forecast_noise(const std::vector<std::vector<SeriesBlock
       const std::vector<SeriesBlock> blocks = coarse(recordings[part], stretch).blocks;
       for (const WatchedRatio& watched : ratio_levels(blocks)) {
         const std::size_t k = watched.tension;
-        for (std::size_t i = 0; i + blocks_per_least_time < blocks.size(); ++i) {
+        for (std::size_t i = 0; i + blocks_per_min_duration < blocks.size(); ++i) {
           const double forecast = line_from(blocks, i + 1, k).at(blocks[i].time_s);
           const double error = (ratio(blocks[i], k) - forecast) * blocks[i].load_N;
           errors[k].push_back({watched.tension_N, error});
@@ -274,13 +274,13 @@ std::vector<RatioNoise> forecast_noise(const std::vector<std::vector<SeriesBlock
 SettledPart settled_part(const std::vector<SeriesBlock>& all, const BlockStretch& stretch,
                          const std::vector<RatioNoise>& noise, double tolerance) {
   const auto [each, blocks] = coarse(all, stretch);
-  if (blocks.size() < blocks_per_least_time) return {stretch.end, {}};
+  if (blocks.size() < blocks_per_min_duration) return {stretch.end, {}};
   std::vector<WatchedRatio> ratios = ratio_levels(blocks);
   for (WatchedRatio& watched : ratios) {
     watched.tolerance = tolerance * watched.level;
     watched.noise_N = walk_deviations * noise[watched.tension].at(watched.tension_N);
   }
-  std::size_t from = blocks.size() - blocks_per_least_time;
+  std::size_t from = blocks.size() - blocks_per_min_duration;
   while (from > 0 && !bends(blocks, from, ratios)) --from;
   LoadFollowing found = following(blocks, from, ratios);
   if (!found.by_all) return {stretch.end, std::move(found.staying)};

@@ -31,7 +31,7 @@ class EvenStretches {
       if (!moves(begin)) continue;
       double sum = speeds_[begin];
       while (end < blocks_.size() && goes_on(begin, end, sum)) sum += speeds_[end++];
-      if (end - begin < blocks_per_least_time) {
+      if (end - begin < blocks_per_min_duration) {
         end = begin + 1;  // the start of an even stretch may lie inside
         continue;
       }

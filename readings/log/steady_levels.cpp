@@ -29,8 +29,8 @@ class LevelSearch {
       end = begin;
       do add(blocks_[end++]);
       while (end < blocks_.size() && goes_on(begin, end));
-      if (end - begin < blocks_per_least_time + 2 || drifts(begin, end)) {
-        end = begin + std::max<std::size_t>(1, (end - begin) / blocks_per_least_time);
+      if (end - begin < blocks_per_min_duration + 2 || drifts(begin, end)) {
+        end = begin + std::max<std::size_t>(1, (end - begin) / blocks_per_min_duration);
         continue;
       }
       levels.push_back({begin + 1, end - 1, std::nullopt});

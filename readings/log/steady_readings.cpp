@@ -24,7 +24,7 @@ class SteadySearch {
       : series_(series), options_(options), parts_(recordings(series)) {
     result_.motion = motion_source(series);
     result_.usual_step_s = usual_step(series, parts_.parts);
-    width_s_ = block_width(options.least_time_s, result_.usual_step_s);
+    width_s_ = block_width(options.min_duration_s, result_.usual_step_s);
     for (const Recording& part : parts_.parts) {
       blocks_.push_back(series_blocks(series, part, width_s_));
     }
@@ -123,7 +123,8 @@ class SteadySearch {
         std::abs(change_of_load(blocks_[part], stretch)) <= sweep * options_.tolerance) {
       return 1;
     }
-    return std::clamp<std::size_t>(blocks / blocks_per_least_time, 1, options_.per_sweep);
+    return std::clamp<std::size_t>(blocks / blocks_per_min_duration, 1,
+                                   options_.readings_per_stroke);
   }
 
   void take(std::size_t part, const BlockStretch& stretch) {

@@ -22,11 +22,11 @@
 namespace reeve::readings {
 
 struct SteadyOptions {
-  double least_time_s = 0.5;           // least duration of a reading
-  double tolerance = 0.02;             // relative change up to which a tension counts as unchanged
-  std::size_t per_sweep = 5;           // readings at most
-  bool reverse = false;                // positions and speeds fall while the carriage pulls
-  std::optional<Direction> direction;  // direction to assume if the log does not say
+  double min_duration_s = 0.5;          // least duration of a reading
+  double tolerance = 0.02;              // relative change up to which a tension counts as unchanged
+  std::size_t readings_per_stroke = 5;  // readings at most
+  bool reverse = false;                 // positions and speeds fall while the carriage pulls
+  std::optional<Direction> direction;   // direction to assume if the log does not say
 };
 
 struct SteadyReadings {

@@ -162,9 +162,9 @@ Json diagnosis_settings_json(const DiagnosisReport& report) {
           {"alpha", settings.alpha},
           {"hold_out", settings.hold_out},
           {"seed", settings.seed},
-          {"explore", report.with_generated},
+          {"generated_routings", report.with_generated},
           {"hardware", to_json(report.hardware)},
-          {"terms", list_json(settings.terms, effect_name)}};
+          {"laws", list_json(settings.terms, effect_name)}};
 }
 
 void add_findings(Json& json, const DiagnosisReport& report) {

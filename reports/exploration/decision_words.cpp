@@ -63,10 +63,10 @@ std::string change_text(Objective objective, const ObjectiveValues& values,
 }
 
 // "4 sheaths", "cost 61.90 EUR"
-std::string measure_text(const ListedLadder& ladder, double amount) {
-  const MeasureWords& words = words_of(ladder.ladder.options.by);
+std::string measure_text(const ListedTradeoff& tradeoff, double amount) {
+  const MeasureWords& words = words_of(tradeoff.tradeoff.options.by);
   if (*words.one != '\0') return plural(static_cast<std::size_t>(amount), words.one);
-  const std::string unit = ladder.cost_unit.empty() ? "" : " " + ladder.cost_unit;
+  const std::string unit = tradeoff.cost_unit.empty() ? "" : " " + tradeoff.cost_unit;
   return fmt::format("cost {}{}", shown_value(Objective::cost, amount), unit);
 }
 
@@ -75,12 +75,13 @@ bool stays_open(const ObjectiveValues& values) {
 }
 
 // Returns its value of the measure, and the ranked objectives as changes against the first.
-std::string values_text(const ListedLadder& ladder, const ObjectiveValues& values) {
-  const Objective by = ladder.ladder.options.by;
-  std::string text = measure_text(ladder, value(values, by));
-  for (const Objective objective : ladder.ladder.objectives) {
+std::string values_text(const ListedTradeoff& tradeoff, const ObjectiveValues& values) {
+  const Objective by = tradeoff.tradeoff.options.by;
+  std::string text = measure_text(tradeoff, value(values, by));
+  for (const Objective objective : tradeoff.tradeoff.objectives) {
     if (objective == by) continue;
-    text += ", " + change_text(objective, values, ladder.ladder.first.values, ladder.cost_unit);
+    text +=
+        ", " + change_text(objective, values, tradeoff.tradeoff.first.values, tradeoff.cost_unit);
   }
   // Nobody ranks by it, and nobody wants less than all.
   if (stays_open(values)) {
@@ -90,32 +91,32 @@ std::string values_text(const ListedLadder& ladder, const ObjectiveValues& value
   return text;
 }
 
-std::string first_text(const ListedDesign& first, const ListedLadder& ladder) {
+std::string first_text(const ListedDesign& first, const ListedTradeoff& tradeoff) {
   return fmt::format("Best: {}: {}{}", design_name(first),
-                     values_text(ladder, first.ranked.design.values), equivalent_text(first));
+                     values_text(tradeoff, first.ranked.design.values), equivalent_text(first));
 }
 
 // Says in which grasps the first design jams, and how good the best design is that never does.
-std::string jams_text(const ListedDesign& first, const ListedLadder& ladder) {
+std::string jams_text(const ListedDesign& first, const ListedTradeoff& tradeoff) {
   std::string text =
       jam_sentence(first.smallest_jams, first.ranked.design.values, finger_count(first.routing));
   if (first.smallest_jams.empty()) return text;
-  if (!ladder.never_jams) return text + "; every listed design jams in some grasp";
+  if (!tradeoff.never_jams) return text + "; every listed design jams in some grasp";
   return fmt::format("{}; best design that never jams: {}: {}", text,
-                     design_name(*ladder.never_jams),
-                     values_text(ladder, ladder.never_jams->ranked.design.values));
+                     design_name(*tradeoff.never_jams),
+                     values_text(tradeoff, tradeoff.never_jams->ranked.design.values));
 }
 
-std::string affordable_text(const ListedLadder& listed) {
-  const Ladder& ladder = listed.ladder;
-  const MeasureWords& words = words_of(ladder.options.by);
-  const std::string within = within_text(ladder.options);
+std::string affordable_text(const ListedTradeoff& listed) {
+  const Tradeoff& tradeoff = listed.tradeoff;
+  const MeasureWords& words = words_of(tradeoff.options.by);
+  const std::string within = within_text(tradeoff.options);
   if (!listed.affordable) {
     return fmt::format("No design {} of it has {}", within, words.less);
   }
-  return fmt::format("{} of it: {}: {}", advised_text(ladder.options),
+  return fmt::format("{} of it: {}: {}", advised_text(tradeoff.options),
                      design_name(*listed.affordable),
-                     values_text(listed, ladder.affordable->values));
+                     values_text(listed, tradeoff.affordable->values));
 }
 
 // Names the parts that the wearer carries: "at the hand no moving part, 4 strands".
@@ -128,13 +129,14 @@ std::string wearer_text(const Routing& routing) {
                      plural(static_cast<std::size_t>(parts.strands), "strand"));
 }
 
-std::string choice_text(const char* kind, const ListedDesign& design, const ListedLadder& listed) {
-  const Ladder& ladder = listed.ladder;
+std::string choice_text(const char* kind, const ListedDesign& design,
+                        const ListedTradeoff& listed) {
+  const Tradeoff& tradeoff = listed.tradeoff;
   const ObjectiveValues& values = design.ranked.design.values;
   const std::string chosen =
-      is_within(values, ladder)
-          ? fmt::format("{} {} of the best", words_of(ladder.options.by).fewest,
-                        within_text(ladder.options))
+      is_within(values, tradeoff)
+          ? fmt::format("{} {} of the best", words_of(tradeoff.options.by).fewest,
+                        within_text(tradeoff.options))
           : "best";
   const std::string jams = design.smallest_jams.empty() ? "" : ", jams in some grasps";
   return fmt::format("{} floating blocks, {}: {}: {}{}; {}", kind, chosen, design_name(design),
@@ -142,14 +144,14 @@ std::string choice_text(const char* kind, const ListedDesign& design, const List
 }
 
 // Returns two lines, the second with the effect of bars in place of the floating pulleys.
-std::vector<DocumentLine> choice_lines(const ListedLadder& ladder) {
-  std::string with = choice_text("With", ladder.choice->with, ladder);
-  if (ladder.with_bars) {
+std::vector<DocumentLine> choice_lines(const ListedTradeoff& tradeoff) {
+  std::string with = choice_text("With", tradeoff.choice->with, tradeoff);
+  if (tradeoff.with_bars) {
     with += fmt::format("; with rigid bars in place of its pulleys it is {}: {}",
-                        design_name(*ladder.with_bars),
-                        values_text(ladder, ladder.with_bars->ranked.design.values));
+                        design_name(*tradeoff.with_bars),
+                        values_text(tradeoff, tradeoff.with_bars->ranked.design.values));
   }
-  return {{choice_text("Without", ladder.choice->without, ladder)}, {std::move(with)}};
+  return {{choice_text("Without", tradeoff.choice->without, tradeoff)}, {std::move(with)}};
 }
 
 std::optional<double> finite(const std::optional<double>& value) {
@@ -203,17 +205,17 @@ std::string objective_unit(Objective objective, const std::string& cost_unit) {
 
 std::string signed_percent(double share) { return fmt::format("{:+.1f} %", 100 * share); }
 
-std::string within_text(const LadderOptions& options) {
+std::string within_text(const TradeoffOptions& options) {
   return fmt::format("within {:.4g} %", 100 * options.within);
 }
 
-std::string ladder_title(const Ladder& ladder) {
-  const ObjectiveRow& about = row(ladder.options.by);
+std::string tradeoff_title(const Tradeoff& tradeoff) {
+  const ObjectiveRow& about = row(tradeoff.options.by);
   return fmt::format("Best design {} {}", about.is_count() ? "for each number of" : "up to each",
-                     words_of(ladder.options.by).plural);
+                     words_of(tradeoff.options.by).plural);
 }
 
-std::string advised_text(const LadderOptions& options) {
+std::string advised_text(const TradeoffOptions& options) {
   std::string text = fmt::format("{} {}", words_of(options.by).fewest, within_text(options));
   text.front() = static_cast<char>(text.front() - 'a' + 'A');
   return text;
@@ -225,20 +227,20 @@ std::string equivalent_text(const ListedDesign& design) {
 }
 
 std::vector<DocumentLine> answer_lines(const std::vector<ListedDesign>& designs,
-                                       const ListedLadder& ladder) {
-  if (designs.empty() || ladder.rungs.empty()) return {};
-  std::vector<DocumentLine> lines{{first_text(designs.front(), ladder)},
-                                  {jams_text(designs.front(), ladder)}};
-  if (ladder.choice) {
-    for (DocumentLine& line : choice_lines(ladder)) lines.push_back(std::move(line));
+                                       const ListedTradeoff& tradeoff) {
+  if (designs.empty() || tradeoff.steps.empty()) return {};
+  std::vector<DocumentLine> lines{{first_text(designs.front(), tradeoff)},
+                                  {jams_text(designs.front(), tradeoff)}};
+  if (tradeoff.choice) {
+    for (DocumentLine& line : choice_lines(tradeoff)) lines.push_back(std::move(line));
   } else {
-    lines.push_back({affordable_text(ladder)});
+    lines.push_back({affordable_text(tradeoff)});
   }
-  if (ladder.ladder.knee) {
-    const Rung& rung = ladder.ladder.rungs[*ladder.ladder.knee];
+  if (tradeoff.tradeoff.knee) {
+    const TradeoffStep& step = tradeoff.tradeoff.steps[*tradeoff.tradeoff.knee];
     lines.push_back({fmt::format("Knee of the trade-off: {}, {}",
-                                 design_name(ladder.rungs[*ladder.ladder.knee]),
-                                 measure_text(ladder, rung.at_most))});
+                                 design_name(tradeoff.steps[*tradeoff.tradeoff.knee]),
+                                 measure_text(tradeoff, step.at_most))});
   }
   if (stays_open(designs.front().ranked.design.values)) {
     lines.push_back({"Hands that close all the way: --constraint 'closure>=1'"});

@@ -1,5 +1,5 @@
 // The answer in a few sentences: which design is first, which costs less within a stated loss,
-// where the ladder bends, and why nothing is left where nothing is.
+// where the trade-off bends, and why nothing is left where nothing is.
 #pragma once
 
 #include <optional>
@@ -25,18 +25,18 @@ std::string cost_unit(const std::optional<PartPrices>& prices);
 // "N", "mm/mm"; of a cost the unit of its prices; "" of numbers of parts and what has none.
 std::string objective_unit(Objective objective, const std::string& cost_unit = "");
 
-std::string signed_percent(double share);               // "+1.3 %"
-std::string within_text(const LadderOptions& options);  // "within 2 %"
-std::string ladder_title(const Ladder& ladder);
+std::string signed_percent(double share);                 // "+1.3 %"
+std::string within_text(const TradeoffOptions& options);  // "within 2 %"
+std::string tradeoff_title(const Tradeoff& tradeoff);
 // "Fewest sheaths within 2 %"
-std::string advised_text(const LadderOptions& options);
+std::string advised_text(const TradeoffOptions& options);
 
 // ", and 2 more with other bearings, which change nothing"; "" if there is none.
 std::string equivalent_text(const ListedDesign& design);
 
 // The first and the affordable design, and the knee. Nothing of nothing.
 std::vector<DocumentLine> answer_lines(const std::vector<ListedDesign>& designs,
-                                       const ListedLadder& ladder);
+                                       const ListedTradeoff& tradeoff);
 
 // Lists the equivalent designs for which each of the shown lines stands.
 std::vector<DocumentLine> equivalent_lines(const std::vector<ListedDesign>& shown);

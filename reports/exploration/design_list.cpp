@@ -369,8 +369,8 @@ Json to_json(const std::vector<ListedDesign>& designs) {
   return list_json(designs, [](const ListedDesign& design) { return to_json(design); });
 }
 
-Json never_jams_json(const ListedLadder& ladder) {
-  return value_or_null(ladder.never_jams,
+Json never_jams_json(const ListedTradeoff& tradeoff) {
+  return value_or_null(tradeoff.never_jams,
                        [](const ListedDesign& design) { return to_json(design); });
 }
 

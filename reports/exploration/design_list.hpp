@@ -59,6 +59,6 @@ Json to_json(const ListedDesign& design);
 Json to_json(const std::vector<ListedDesign>& designs);
 Json to_json(const std::vector<BestDesigns>& best);
 // The best listed design that never jams, or null.
-Json never_jams_json(const ListedLadder& ladder);
+Json never_jams_json(const ListedTradeoff& tradeoff);
 
 }  // namespace reeve::reports

@@ -12,11 +12,11 @@
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/design_list.hpp"
 #include "reports/exploration/exploration_id.hpp"
-#include "reports/exploration/ladder_report.hpp"
 #include "reports/exploration/part_words.hpp"
 #include "reports/exploration/robust_report.hpp"
 #include "reports/exploration/sweep_report.hpp"
 #include "reports/exploration/target_report.hpp"
+#include "reports/exploration/tradeoff_report.hpp"
 #include "reports/model_text.hpp"
 #include "reports/motor_words.hpp"
 #include "reports/output/json.hpp"
@@ -157,7 +157,7 @@ Section answer_section(const ExploreReport& report) {
   for (const DocumentLine& line : infeasible_lines(report.options, report.result)) {
     lines.push_back(line);
   }
-  const std::vector<DocumentLine> best = answer_lines(report.top, report.ladder);
+  const std::vector<DocumentLine> best = answer_lines(report.top, report.tradeoff);
   if (has_target && !best.empty()) lines.push_back({"Apart from the target:"});
   lines.insert(lines.end(), best.begin(), best.end());
   const MotorParts& motor = report.options.model.hardware.motor;
@@ -228,7 +228,7 @@ Document explore_document(const ExploreReport& report, const ListColumns& wanted
       document.add(band_section(top, report.options.order, *report.uncertainty));
     }
   }
-  document.add(ladder_section(report.ladder));
+  document.add(tradeoff_section(report.tradeoff));
   document.add(known_section(report));
   if (report.sweep) {
     for (Section& section : sweep_sections(*report.sweep)) document.add(std::move(section));
@@ -313,7 +313,7 @@ Json explore_settings(const ExploreReport& report) {
   json.update(settings_json(options.order, options.score, options.grasps, options.model,
                             report.result.unconverged));
   json["uncertainty"] = report.uncertainty ? to_json(*report.uncertainty) : Json(nullptr);
-  add_ladder_settings(json, options.ladder, options.prices);
+  add_tradeoff_settings(json, options.tradeoff, options.prices);
   json["sweep"] = sweep_settings(report.sweep_over);
   json["target_shares"] = report.target_shares.empty() ? Json(nullptr) : Json(report.target_shares);
   return json;
@@ -347,8 +347,8 @@ std::string explore_summary_json(const ExploreReport& report) {
   text.add_list("top", report.top, listed);
   json = {{"best", to_json(report.result.best)}};
   json["known"] = known_json(report);
-  json["ladder"] = ladder_json(report.ladder);
-  json["never_jams"] = never_jams_json(report.ladder);
+  json["tradeoff"] = tradeoff_json(report.tradeoff);
+  json["never_jams"] = never_jams_json(report.tradeoff);
   json["robust_first"] = robust_json(report.robust_first);
   json["target"] = target_json(report.target);
   json["motor"] = motor_force_json(report.motor, report.options.model.hardware.motor);

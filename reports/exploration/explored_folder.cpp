@@ -39,7 +39,7 @@ std::string summary_of_one_exploration(const std::filesystem::path& folder) {
   }
   const std::string id = id_in("summary.json", *summary, exploration_kind);
   for (const char* name :
-       {"designs.csv", "pareto.csv", "sample.csv", "ladder.csv", "shard.json", "index.html"}) {
+       {"designs.csv", "pareto.csv", "sample.csv", "tradeoff.csv", "shard.json", "index.html"}) {
     const std::optional<std::string> text = text_of(folder / name);
     if (!text || id_in(name, *text, exploration_kind) == id) continue;
     if (may_lack_stamp(name, *text)) continue;

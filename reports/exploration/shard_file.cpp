@@ -69,7 +69,7 @@ void add_record(Json& json, const ShardRecord& record) {
       json["equals_left_out"][archived.word] = archived.equals_left_out;
     }
   }
-  json["ladder"] = record.rungs;
+  json["tradeoff"] = record.steps;
   json["sample"] = Json::object();
   json["sample"]["places"] = Json::array();
   json["sample"]["routings"] = Json::array();
@@ -107,7 +107,7 @@ void read_designs(const Json& json, ShardRecord& record) {
     const auto routing = word.get<std::string>();
     record.archive.push_back({routing, left_out.value(routing, std::uint64_t{0})});
   }
-  json.at("ladder").get_to(record.rungs);
+  json.at("tradeoff").get_to(record.steps);
   const Json& places = json.at("sample").at("places");
   const Json& routings = json.at("sample").at("routings");
   for (std::size_t i = 0; i < routings.size(); ++i) {
@@ -166,7 +166,7 @@ std::string difference(const ShardFile& shard, const Json& settings, const std::
   if (shard.version != program) {
     return fmt::format("another version of reeve, {} and not {}", shard.version, program);
   }
-  return "another catalogue";
+  return "another catalog";
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/design_list.hpp"
 #include "reports/exploration/explore_report.hpp"
-#include "reports/exploration/ladder_report.hpp"
+#include "reports/exploration/tradeoff_report.hpp"
 #include "reports/output/json.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 
@@ -78,14 +78,14 @@ Document stored_ranking_document(const StoredRanking& ranking, const ListColumns
     document.add({"", std::nullopt, {{"No design that was kept meets the constraints"}}});
     return document;
   }
-  document.add({"", std::nullopt, answer_lines(report.top, report.ladder)});
+  document.add({"", std::nullopt, answer_lines(report.top, report.tradeoff)});
   const ExploreOptions& options = report.options;
   document.add(
       {fmt::format("Top {}", lines.size()),
        design_table(lines, shown_objectives(options.order, options.score, options.constraints),
                     priced(columns, options.prices)),
        list_notes(lines)});
-  if (columns.chosen.empty()) document.add(ladder_section(report.ladder));
+  if (columns.chosen.empty()) document.add(tradeoff_section(report.tradeoff));
   return document;
 }
 
@@ -103,8 +103,8 @@ std::string stored_ranking_json(const StoredRanking& ranking) {
             {"front_equals_left_out", result.front_equals_left_out}};
   json["front"] = to_json(ranking.report.front);
   json["top"] = to_json(ranking.report.top);
-  json["ladder"] = ladder_json(ranking.report.ladder);
-  json["never_jams"] = never_jams_json(ranking.report.ladder);
+  json["tradeoff"] = tradeoff_json(ranking.report.tradeoff);
+  json["never_jams"] = never_jams_json(ranking.report.tradeoff);
   json["settings"] = explore_settings(ranking.report);
   json["version"] = version_json();
   return print(json);

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/notation.hpp"
-#include "search/rank/ladder.hpp"
+#include "search/rank/tradeoff.hpp"
 
 namespace reeve::search {
 namespace {

@@ -15,7 +15,7 @@
 #include "core/text.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "search/rank/equivalent.hpp"
-#include "search/rank/ladder.hpp"
+#include "search/rank/tradeoff.hpp"
 #include "search/uncertainty/coefficient_box.hpp"
 
 namespace reeve::search {

@@ -51,7 +51,7 @@ TEST_F(Allocation, HappensInNoEvaluationOnceTheEvaluatorIsWarm) {
   expect_no_allocation_once_warm(Model{}, routings);
 }
 
-TEST_F(Allocation, HappensNotWhenDesignsAreCombinedFromTreesThatAreKnown) {
+TEST_F(Allocation, DoesNotHappenWhenKnownTreesAreCombined) {
   const std::vector<Routing> routings = actuated();
   DecidingEvaluator evaluator({}, single_grasps(5), authors_score(), std::nullopt,
                               {Objective::uniformity_mean, Objective::efficiency_mean});
@@ -121,7 +121,7 @@ void expect_no_allocation(const GeneratorOptions& options) {
             0U);
 }
 
-TEST_F(Allocation, GrowsNotWithWhatTheGeneratorHasGiven) {
+TEST_F(Allocation, DoesNotGrowWithTheNumberOfRoutingsGenerated) {
   expect_no_allocation({full_parts(), 6, FingerIdentity::identical, false});
   expect_no_allocation({full_parts(), 8, FingerIdentity::identical, true});
   expect_no_allocation({paper_parts(), 6, FingerIdentity::distinct, false});

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
 import { csvRecords } from "./csv.mjs";
-import { open, startBrowser } from "./harness.mjs";
+import { cut, open, phone, startBrowser, unfold } from "./harness.mjs";
 import {
   barMarks,
   cell,
@@ -107,6 +107,27 @@ for (const [kind, verdict] of Object.entries(verdicts)) {
     });
 
     test("nothing went wrong meanwhile", () => assert.deepEqual(faults, []));
+  });
+}
+
+// Heights of a chart's smallest figures, of those that are less than that.
+const smallerThan = (page, least) =>
+  page.locator(".chart .still svg").evaluateAll((all, limit) =>
+    all.map((svg) => [svg.closest("figure").id, (12 * svg.getBoundingClientRect().width) / svg.viewBox.baseVal.width])
+      .filter(([, px]) => px > 0 && px < limit), least);
+
+for (const kind of Object.keys(verdicts)) {
+  test(`diagnose: ${kind} on a phone has whole tables and charts that can be read`, async () => {
+    const browser = await startBrowser();
+    const { page, faults } = await open(browser, pageFile(`diagnose-${kind}`), { width: phone });
+    await unfold(page);
+    await page.waitForTimeout(300); // what is unfolded is fitted when the browser tells of it
+    assert.deepEqual(await cut(page, ".scroll"), []);
+    // Seven routings beside each other, as the paper has them.
+    const small = (await smallerThan(page, 7.5)).filter(([id]) => !(kind === "seven" && id === "figure-9"));
+    assert.deepEqual(small, []);
+    assert.deepEqual(faults, []);
+    await browser.close();
   });
 }
 

@@ -143,7 +143,7 @@ describe("explore: the plot", () => {
 
   test("words are explained below their headings, by keyboard", async () => {
     for (const [place, words] of [
-      ["#ladder", ["gain", "kept", "knee"]],
+      ["#tradeoff", ["gain", "kept", "knee"]],
       ["#plots", ["front", "alike", "jams", "knots", "travel"]],
     ]) {
       const summary = page.locator(`${place} .glossary summary`);

@@ -11,7 +11,7 @@ const shownWords = (page) =>
   page.locator("#slots .slot").evaluateAll((slots) => slots.map((one) => one.dataset.word));
 const { first, affordable } = {
   first: summary.top[0].routing,
-  affordable: summary.ladder.affordable.routing,
+  affordable: summary.tradeoff.affordable.routing,
 };
 
 for (const [page_name, fingers] of [[name, 2], ["explore-3", 3]]) {
@@ -25,9 +25,9 @@ for (const [page_name, fingers] of [[name, 2], ["explore-3", 3]]) {
       await settled(page);
     }, page_name);
 
-    test("it holds the answer, both drawings, the ladder and the plot", async () => {
+    test("it holds the answer, both drawings, the trade-off and the plot", async () => {
       const parts = ["#answer", "#slots .slot:nth-child(1) .drawing svg", "#slots .slot:nth-child(2) .drawing svg",
-        "#ladder-table", "#pareto .live svg"];
+        "#tradeoff-table", "#pareto .live svg"];
       for (const part of parts) {
         const { top, left, bottom, right } = await page.locator(part).evaluate((one) => {
           const { top, left, bottom, right } = one.getBoundingClientRect();
@@ -70,7 +70,7 @@ describe("explore: the panel", () => {
   });
 
   test("it says values, parts and what is lost against the first", async () => {
-    const { losses, ...values } = summary.ladder.affordable;
+    const { losses, ...values } = summary.tradeoff.affordable;
     const lines = await slot(page, affordable).locator(".values li").allTextContents();
     const change = (-100 * losses.uniformity_mean).toFixed(1);
     assert.equal(lines[0], `uniformity mean ${values.uniformity.mean.toFixed(4)} (${change} %)`);
@@ -154,11 +154,11 @@ describe("explore: the panel", () => {
     }
   });
 
-  test("lines of the ladder are selected with a click", async () => {
+  test("lines of the trade-off are selected with a click", async () => {
     await clearSelection(page);
-    await page.locator("#ladder-table button").first().click();
+    await page.locator("#tradeoff-table button").first().click();
     assert.deepEqual(await page.locator(".card").evaluateAll((cards) => cards.map((one) => one.dataset.word)),
-      [summary.ladder.rungs[0].routing]);
+      [summary.tradeoff.steps[0].routing]);
   });
 
   test("nothing went wrong meanwhile", () => assert.deepEqual(faults, []));

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
 import { name, withExploration } from "./exploration.mjs";
-import { settled } from "./harness.mjs";
+import { cut, settled } from "./harness.mjs";
 
 async function at(page, width, height) {
   await page.setViewportSize({ width, height });
@@ -10,12 +10,6 @@ async function at(page, width, height) {
   await page.waitForSelector("html[data-ready]", { state: "attached" });
   await settled(page);
 }
-
-// What is wider than its place, so that it has to be scrolled.
-const cut = (page, places) =>
-  page.locator(places).evaluateAll((all) =>
-    all.filter((one) => one.clientWidth > 0 && one.scrollWidth > one.clientWidth + 1)
-      .map((one) => `${one.getAttribute("aria-label")}: ${one.scrollWidth} in ${one.clientWidth}`));
 
 const top = (page, place) => page.locator(place).first().evaluate((one) => one.getBoundingClientRect().top);
 
@@ -27,7 +21,7 @@ for (const of of [name, "explore-3"]) {
 
     test("a wide window shows whole tables", async () => {
       await at(page, 1440, 900);
-      assert.deepEqual(await cut(page, ".card .scroll, .scroll:has(#designs), #ladder .scroll"), []);
+      assert.deepEqual(await cut(page, ".card .scroll, .scroll:has(#designs), #tradeoff .scroll"), []);
     });
 
     test("a phone has a drawing on its first screen, and one line for the selection", async () => {
@@ -36,7 +30,7 @@ for (const of of [name, "explore-3"]) {
       assert.ok(drawing < 560, `${drawing}`);
       const { height } = await page.locator("#tray").boundingBox();
       assert.ok(height < 50, `${height}`);
-      assert.deepEqual(await cut(page, "#ladder .scroll"), []);
+      assert.deepEqual(await cut(page, "#tradeoff .scroll"), []);
     });
 
     test("a phone's numbers at the ends of axes stay clear of their names", async () => {

@@ -122,6 +122,12 @@ export const foldedAway = (page) =>
 
 export const scrollWidth = (page) => page.evaluate(() => document.documentElement.scrollWidth);
 
+// What is wider than its place, so that it has to be scrolled.
+export const cut = (page, places) =>
+  page.locator(places).evaluateAll((all) =>
+    all.filter((one) => one.clientWidth > 0 && one.scrollWidth > one.clientWidth + 1)
+      .map((one) => `${one.getAttribute("aria-label")}: ${one.scrollWidth} in ${one.clientWidth}`));
+
 // What stands out to the right of the window, or holds text that does, for who looks for the culprit.
 export const tooWide = (page, width) =>
   page.evaluate((limit) => {

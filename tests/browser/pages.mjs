@@ -1,7 +1,7 @@
 // The pages that the tests look at. A new page is a line here; every_page.test.mjs then holds it to
 // what is asked of all.
 import { join } from "node:path";
-import { hostileCatalogue, hostileData } from "./hostile.mjs";
+import { hostileCatalog, hostileData } from "./hostile.mjs";
 import { executable, sampleExecutable, sources, written } from "./places.mjs";
 
 const inputs = join(written, "inputs");
@@ -11,7 +11,7 @@ const hand = join(sources, "catalog/hardware/three_finger_hand.toml");
 
 export const theSeven = join(sources, "catalog/measured/exo_glove_ii.csv");
 
-const hostileNames = () => ({ REEVE_CATALOG: hostileCatalogue(join(inputs, "catalog")) });
+const hostileNames = () => ({ REEVE_CATALOG: hostileCatalog(join(inputs, "catalog")) });
 
 const reeve = (name, words, more = {}) => ({
   name,
@@ -42,7 +42,7 @@ export const pages = [
   reeve("rank-hostile", () => ["rank", "X", "TR1", "TR5", "--data", hostileData(inputs)], {
     environment: hostileNames,
   }),
-  reeve("catalogue", () => ["catalogue"]),
+  reeve("catalog", () => ["catalog"]),
   reeve("show", () => ["show", "TR5"]),
   reeve("show-bench", () => ["show", "M-F"]),
   reeve("show-wide", () => ["show", "1-P-2-P-3-P-4b-P-5b-P-6-P-1"]),
@@ -50,7 +50,7 @@ export const pages = [
     environment: hostileNames,
   }),
   reeve("size", () => ["size", "M-1b-B-2b-B-3b-M", "--vary", "sheath_angle=4..9",
-    "--vary", "tip_angle=2..4", "--same", "tips", "--draws", "10", "--hardware", hand]),
+    "--vary", "tip_angle=2..4", "--equal", "tips", "--draws", "10", "--hardware", hand]),
   reeve("size-target", () => ["size", "M-1-P-2-P-3-M", "--target", "1=2,others=1",
     "--vary", "sheath_angle=1..12", "--nominal"]),
   reeve("size-hostile", () => ["size", "X", "--vary", "sheath_angle=3..9", "--nominal"], {

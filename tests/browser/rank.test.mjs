@@ -1,4 +1,4 @@
-// The page of a ranking, of the catalogue's routings: what it shows is what the command prints.
+// The page of a ranking, of the catalog's routings: what it shows is what the command prints.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, startBrowser } from "./harness.mjs";
@@ -121,11 +121,11 @@ describe("rank", () => {
     }
   });
 
-  test("the ladder is the file's", async () => {
-    const table = page.locator("#ladder-table");
-    assert.deepEqual(await column(table, "routing"), json.ladder.rungs.map(({ routing }) => routing));
+  test("the trade-off is the file's", async () => {
+    const table = page.locator("#tradeoff-table");
+    assert.deepEqual(await column(table, "routing"), json.tradeoff.steps.map(({ routing }) => routing));
     const kept = await column(table, "kept");
-    json.ladder.rungs.forEach((rung, i) => assert.equal(kept[i], `${(100 * rung.kept).toFixed(1)} %`));
+    json.tradeoff.steps.forEach((step, i) => assert.equal(kept[i], `${(100 * step.kept).toFixed(1)} %`));
   });
 
   test("nothing went wrong meanwhile", () => assert.deepEqual(faults, []));

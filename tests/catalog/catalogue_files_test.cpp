@@ -39,7 +39,7 @@ TEST(BuiltInCatalogue, NamesItsFilesAsTheSourcesDo) {
   EXPECT_EQ(read_catalogue(CatalogueFiles::built_in()).find_name("TR1")->file, "catalog/tr1.toml");
 }
 
-TEST(ShippedCatalogue, IsThatOfTheEnvironmentOrElseBuiltIn) {
+TEST(ShippedCatalogue, ComesFromTheEnvironmentOrIsBuiltIn) {
   const TemporaryFolder folder;
   folder.write("x.toml", "name = \"X\"\nword = \"M-1-T-2-M\"\n");
   ASSERT_EQ(setenv("REEVE_CATALOG", folder.path().c_str(), 1), 0);

@@ -91,7 +91,7 @@ TEST(BadExpression, IsNamedWithTheColumnAndWhatWasExpected) {
             "expression '1)', column 2: found ')': expected an operator, or the end");
 }
 
-TEST(BadExpression, NamesAnUnknownNameAndThoseThereAre) {
+TEST(BadExpression, NamesAnUnknownNameAndTheKnownOnes) {
   EXPECT_EQ(expression_error("T1 + T9", {{"T1", 1}, {"T2", 1}}),
             "expression 'T1 + T9', column 6: found 'T9': expected one of T1, T2");
 }

@@ -232,10 +232,10 @@ TEST(HardwareFile, HasSpringsAndSlackAndWritesThem) {
   EXPECT_EQ(again.hardware.tendon, expected);
 }
 
-TEST(HardwareFile, SaysWhatMayBeChosenAndWhere) {
+TEST(HardwareFile, HasBoundsOfDimensionsWithTheirPlaces) {
   const VaryTable vary = hardware_file_of(
                              "[vary]\nsheath_angle = [3, 9.5]\n\"tip_angle[1]\" = [1, 4]\n"
-                             "same = [\"tips\", \"sheath_angle[2,3]\"]\n")
+                             "equal = [\"tips\", \"sheath_angle[2,3]\"]\n")
                              .vary;
   ASSERT_EQ(vary.bounds.size(), 2U);
   EXPECT_EQ(vary.bounds[0].name, "sheath_angle");
@@ -243,9 +243,9 @@ TEST(HardwareFile, SaysWhatMayBeChosenAndWhere) {
   EXPECT_EQ(vary.bounds[0].high, 9.5);
   EXPECT_TRUE(vary.bounds[0].place.ends_with("h.toml:2:1: vary")) << vary.bounds[0].place;
   EXPECT_EQ(vary.bounds[1].name, "tip_angle[1]");
-  ASSERT_EQ(vary.same.size(), 2U);
-  EXPECT_EQ(vary.same[1].text, "sheath_angle[2,3]");
-  EXPECT_TRUE(vary.same[1].place.ends_with("h.toml:4:17: vary")) << vary.same[1].place;
+  ASSERT_EQ(vary.equal.size(), 2U);
+  EXPECT_EQ(vary.equal[1].text, "sheath_angle[2,3]");
+  EXPECT_TRUE(vary.equal[1].place.ends_with("h.toml:4:18: vary")) << vary.equal[1].place;
 }
 
 TEST(HardwareFile, MayNameTheTwoContactsOfALoopThatJoinTheSameStrands) {
@@ -257,16 +257,16 @@ TEST(HardwareFile, MayNameTheTwoContactsOfALoopThatJoinTheSameStrands) {
       file.hardware.contacts);
 }
 
-TEST(HardwareFile, WrittenHasWhatMayBeChosenToo) {
+TEST(HardwareFile, IsWrittenWithBoundsOfDimensions) {
   const HardwareFile file = hardware_file_of(
-      "[vary]\nhand_mm = [0.1, 9]\n\"contact_angle[T2-T3]\" = [1, 4]\nsame = [\"tips\"]\n");
+      "[vary]\nhand_mm = [0.1, 9]\n\"contact_angle[T2-T3]\" = [1, 4]\nequal = [\"tips\"]\n");
   const HardwareFile again =
       hardware_file_of(hardware_toml(file.hardware, file.uncertainty, file.vary));
   ASSERT_EQ(again.vary.bounds.size(), 2U);
   EXPECT_EQ(again.vary.bounds[0].low, 0.1);
   EXPECT_EQ(again.vary.bounds[1].name, "contact_angle[T2-T3]");
-  ASSERT_EQ(again.vary.same.size(), 1U);
-  EXPECT_EQ(again.vary.same[0].text, "tips");
+  ASSERT_EQ(again.vary.equal.size(), 1U);
+  EXPECT_EQ(again.vary.equal[0].text, "tips");
 }
 
 TEST(HardwareFile, NamesThePlaceOfBadBounds) {
@@ -278,14 +278,14 @@ TEST(HardwareFile, NamesThePlaceOfBadBounds) {
        "[3, 9]"},
       {"[vary]\ntip_angle = [3, -1]\n",
        "h.toml:2:17: vary.tip_angle[2] = -1: expected a finite number, not negative"},
-      {"[vary]\nsame = \"tips\"\n", "h.toml:2:8: vary.same = \"tips\": expected an array"},
+      {"[vary]\nequal = \"tips\"\n", "h.toml:2:9: vary.equal = \"tips\": expected an array"},
       {"vary = 3\n", "h.toml:1:8: vary = 3: expected a table"},
   };
   for (const Mistake& mistake : mistakes)
     EXPECT_EQ(error_in_hardware(mistake.text), mistake.message);
 }
 
-TEST(HardwareFile, NamesUnknownTablesAndKeysAndTheOnesThereAre) {
+TEST(HardwareFile, NamesUnknownTablesAndKeysAndTheKnownOnes) {
   const std::vector<Mistake> mistakes = {
       {"[tub]\nmu = 1\n",
        "h.toml:1:2: unknown key 'tub': expected one of tube, bearing, block, sheath, lengths, "

@@ -30,7 +30,7 @@ CheckItem item(const std::string& keys) {
   return check_mechanism(read_mechanism(parse_toml(text, "x.toml"), "tackles")).items.at(0);
 }
 
-TEST(MechanismCheck, SaysOfANumberWhoseAndWhatItIs) {
+TEST(MechanismCheck, NamesTheSourceAndMeaningOfANumber) {
   const CheckItem found = item("computed = \"T1/T_M\", value = \"0.75\"");
   EXPECT_EQ(found.family, "tackles");
   EXPECT_EQ(found.routing, "X");
@@ -131,7 +131,7 @@ TEST(MechanismCheck, TurnsTheFrictionRoundInRelease) {
 }
 
 // Or a list would hide numbers that have come to agree.
-TEST(MechanismCheck, BelievesNoListOfWhatAgrees) {
+TEST(MechanismCheck, FailsANumberThatAgreesThoughItIsListedAsDifferent) {
   const CheckItem open = item("computed = \"T1/T_M\", value = \"0.75\", open = \"nobody knows\"");
   EXPECT_EQ(open.status, CheckStatus::differs);
   EXPECT_EQ(open.reason, "it agrees, though x.toml:17:3 lists it as one that differs");
@@ -140,7 +140,7 @@ TEST(MechanismCheck, BelievesNoListOfWhatAgrees) {
       CheckStatus::differs);
 }
 
-TEST(MechanismCheck, FailsANumberThatIsNone) {
+TEST(MechanismCheck, FailsAResultThatIsNotANumber) {
   EXPECT_EQ(item("computed = \"0/0\", value = \"0.75\"").status, CheckStatus::differs);
 }
 

@@ -216,7 +216,7 @@ TEST(BadMechanismFile, NamesThePlaceOfAMistakeInANumber) {
   }
 }
 
-TEST(BadMechanismFile, NamesARigThatIsNotAndThoseThereAre) {
+TEST(BadMechanismFile, NamesAnUnknownRigAndTheKnownOnes) {
   EXPECT_EQ(mechanism_error(
                 mechanism_head + worn_rig +
                 one_number("quantity = \"q\", computed = \"T1\", value = \"1\", rig = \"w\"")),

@@ -163,7 +163,7 @@ TEST(ModelFile, SortsEffectsInTheOrderOfTheLibrary) {
   EXPECT_EQ(model.effects[0].values, (std::vector<double>{-0.25, 100}));
 }
 
-TEST(ModelFile, OfTheExampleHasWhatItSays) {
+TEST(ModelFile, ReadsTheExample) {
   const ModelFile file = read_model_file(std::string(REEVE_CATALOG_DIR) + "/model/example.toml");
   EXPECT_EQ(file.model.hardware.sheath.mu, 0.15);
   ASSERT_EQ(file.model.effects.size(), 6U);

@@ -171,20 +171,20 @@ TEST(Check, ReportsAWrongClosedForm) {
             "the closed form gives 0.161613 and the solver 0.0918097");
 }
 
-TEST(Check, BelievesNoFaultWhoseArithmeticFails) {
+TEST(Check, RejectsAListedFaultWhoseArithmeticFails) {
   const CheckReport report = Edited("tr7.toml", "times = 4", "times = 3").check();
   for (const char* strand : {"T1", "T2", "T3", "T4"}) {
     EXPECT_EQ(find(report, "TR7", "Table VII", strand)->status, CheckStatus::differs);
   }
 }
 
-TEST(Check, BelievesNoFaultAtOtherStrands) {
+TEST(Check, RejectsAListedFaultAtOtherStrands) {
   const CheckReport report = Edited("tr4.toml", "strands = [3, 4]", "strands = [3]").check();
   EXPECT_EQ(find(report, "TR4", "Table IV", "T3")->status, CheckStatus::explained);
   EXPECT_EQ(find(report, "TR4", "Table IV", "T4")->status, CheckStatus::differs);
 }
 
-TEST(Check, BelievesNoRepetitionThatIsNone) {
+TEST(Check, RejectsAListedRepetitionThatDoesNotOccur) {
   const std::string repeats = "kind = \"repeats\"\nrouting = \"TR4\"";
   const Edited edited("tr5.toml", repeats, "kind = \"repeats\"\nrouting = \"TR1\"");
   const CheckReport report = edited.check();
@@ -196,7 +196,7 @@ TEST(Check, BelievesNoRepetitionThatIsNone) {
             "the listed fault 'repeats' (tr5.toml:49:1) explains no number that differs");
 }
 
-TEST(Check, BelievesNoProportionThatIsNone) {
+TEST(Check, RejectsAListedProportionThatDoesNotHold) {
   const CheckReport report = Edited("tr5.toml", "kind = \"proportional\"\nrouting = \"TR4\"",
                                     "kind = \"proportional\"\nrouting = \"TR1\"")
                                  .check();
@@ -205,7 +205,7 @@ TEST(Check, BelievesNoProportionThatIsNone) {
 }
 
 // Table VII is a multiple of any table of equal numbers, but of the computed tensions as well.
-TEST(Check, BelievesNoProportionWhereAMultipleOfTheComputedTensionsWouldDo) {
+TEST(Check, RejectsAListedProportionWhereAMultipleOfTheComputedTensionsFits) {
   const Edited edited("tr7.toml", "kind = \"factor\"\nstrands = [1, 2, 3, 4]\ntimes = 4",
                       "kind = \"proportional\"\nrouting = \"Even\"");
   edited.write("even.toml",
@@ -225,7 +225,7 @@ TEST(Check, ReportsAFaultListedForNumbersThatAgree) {
   EXPECT_NE(find(report, "TR1", "Table I", "numbers explained by listed fault 1"), nullptr);
 }
 
-TEST(Check, BelievesNoReversedContactThatIsPrintedRight) {
+TEST(Check, RejectsAReversedContactThatIsPrintedRight) {
   const CheckReport report =
       Edited("tr5.toml", "printed_higher = \"strand\"", "printed_higher = \"segment\"").check();
   EXPECT_EQ(report.count(CheckStatus::differs), 1U);

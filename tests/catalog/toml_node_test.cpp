@@ -38,7 +38,7 @@ TEST(TomlNode, KnowsNamesAndPlacesInTheOrderOfTheFile) {
   EXPECT_EQ(array.items()[1].at.column, 12U);
 }
 
-TEST(TomlNode, HasNoNothingWithASign) {
+TEST(TomlNode, ReadsMinusZeroAsZero) {
   const TemporaryFolder folder;
   const TomlNode root = read_toml(folder.write("t.toml", "z = -0.0\n"));
   EXPECT_FALSE(std::signbit(root.find("z")->number));

@@ -94,7 +94,7 @@ TEST(CauseLibrary, AsksForNoPartThatIsNotThere) {
 }
 
 // One recorded grasp was really one other: of two effects about it, one is too many.
-TEST(Effects, AreAboutTheSameThingWhateverTheySayOfIt) {
+TEST(Effects, CanConflictThoughTheirParametersDiffer) {
   const auto wrong_grasp = [](int recorded, int actual) {
     Subject subject;
     subject.routing = "M-1-T-2-T-3-F";

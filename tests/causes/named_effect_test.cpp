@@ -65,7 +65,7 @@ TEST_F(NamedEffects, TakeAContactInEitherOrderUnlessTwoJoinItsSegments) {
   EXPECT_EQ(named("seized_contact[M-Y1+1-Y1-1,T1-T2]"), "T1-T2");
 }
 
-TEST_F(NamedEffects, AndTheirParametersAreInTheDocument) {
+TEST_F(NamedEffects, AreInTheDocumentWithTheirParameters) {
   const std::string document =
       read_text(std::filesystem::path(REEVE_SOURCE_DIR) / "docs" / "model.md");
   for (const Cause* cause : cause_library()) {

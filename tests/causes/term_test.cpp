@@ -682,7 +682,7 @@ TEST(CovariateName, IsReadBack) {
   }
 }
 
-TEST(TermFault, IsWhatTheTargetTheCovariateOrTheFormDoesNotGoWith) {
+TEST(TermFault, NamesTheTargetCovariateOrFormThatDoesNotFit) {
   const auto at_site = [](Target target, const char* site) {
     return fault(constant(target, site_of(site))).has_value();
   };

@@ -30,15 +30,15 @@ TEST(SizeOptions, OfATargetIsWithNoFingerHeldUnlessGraspsAreGiven) {
 TEST(SizeOptions, TakesWhatStaysEqualFromTheFileOnlyWithItsBounds) {
   const TemporaryFolder folder;
   const std::string file =
-      folder.write("h.toml", "[vary]\ntip_angle = [1, 4]\nsame = [\"tips\"]\n").string();
+      folder.write("h.toml", "[vary]\ntip_angle = [1, 4]\nequal = [\"tips\"]\n").string();
   const Options of_file{"TR1", "--hardware", file};
   for (const auto& [given, variables] : {std::pair<Options, std::size_t>{{}, 1},
                                          {{"--vary", "tip_angle=1..3"}, 2},
-                                         {{"--vary", "tip_angle=1..3", "--same", "tips"}, 1}}) {
+                                         {{"--vary", "tip_angle=1..3", "--equal", "tips"}, 1}}) {
     Options arguments = of_file;
     arguments.insert(arguments.end(), given.begin(), given.end());
     const SizingOptions options = size_options(arguments);
-    EXPECT_EQ(options.same.size(), 2 - variables);
+    EXPECT_EQ(options.equal.size(), 2 - variables);
     EXPECT_EQ(options.varied.at(0).bounds.high, given.empty() ? 4 : 3);
   }
 }

@@ -12,7 +12,7 @@ TEST(BadData, AreNamedWithFileLineAndColumn) {
   expect_all_bad({
       {"compare", "data is required"},
       {"compare --out out none.csv", "none.csv: cannot be read: No such file or directory"},
-      {"compare --out out no_catalogue", "no_catalogue: is a directory: expected a CSV file"},
+      {"compare --out out no_catalog", "no_catalog: is a directory: expected a CSV file"},
       {"compare --out out cell.csv",
        "cell.csv:2: column 'T1_N' = 'x': expected a number from -1000000000 "},
       {"compare --out out tiny.csv",
@@ -28,7 +28,7 @@ TEST(BadData, AreNamedWithFileLineAndColumn) {
        "log_run.csv:2: column 'run' = 'AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA…': expected a name of "
        "at most 200 bytes, and it has 10000"},
       {"compare --out out name.csv",
-       "name.csv:2: column 'routing' = 'TR9': routing 'TR9': no such name in the catalogue"},
+       "name.csv:2: column 'routing' = 'TR9': routing 'TR9': no such name in the catalog"},
       {"compare --out out ragged.csv", "ragged.csv:2:6: 2 fields: expected 3"},
       {"compare --out out alone.csv",
        "alone.csv: there is nothing to compare: expected rows with "},
@@ -68,14 +68,14 @@ TEST(BadData, OfADiagnosisAreNamedBeforeTheWork) {
        "--unit: 'stone': expected a unit of force (N, "},
       {"diagnose --out out --save-model model.toml ok.csv --map T1_N",
        "--map: 'T1_N': expected a column of the file, '=', "},
-      {"diagnose --out out --save-model model.toml ok.csv --terms none.toml",
+      {"diagnose --out out --save-model model.toml ok.csv --laws none.toml",
        "none.toml: cannot be"},
       {"diagnose --out out --save-model model.toml ok.csv --group winch",
        ":1: the header has no column 'winch': expected "},
       {"diagnose --out out --save-model model.toml column.csv",
        "column.csv:1: column 4 't0_N': expected a tension "},
       {"diagnose --out out --save-model model.toml name.csv",
-       "routing 'TR9': no such name in the catalogue"},
+       "routing 'TR9': no such name in the catalog"},
       {"diagnose --out out --save-model model.toml alone.csv",
        "alone.csv: there is nothing to diagnose: expected rows with "},
       {"diagnose --out out --save-model model.toml ok.csv --hardware contact.toml",
@@ -99,8 +99,8 @@ TEST(BadData, OfADiagnosisAreNotWrittenOver) {
       {"diagnose ok.csv --save-model missing/model.toml",
        "--save-model 'missing/model.toml': expected a file that can be written: No such file or "
        "directory"},
-      {"diagnose ok.csv --save-model no_catalogue",
-       "--save-model 'no_catalogue': expected the name of a file, not a folder"},
+      {"diagnose ok.csv --save-model no_catalog",
+       "--save-model 'no_catalog': expected the name of a file, not a folder"},
       {"diagnose ok.csv --save-model ''", "--save-model '': expected the name of"},
   });
 }

@@ -1,4 +1,4 @@
-// Bad ladders, losses and prices: one line that names the culprit, exit code 2, nothing written.
+// Bad trade-offs, losses and prices: one line that names the culprit, exit code 2, nothing written.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -11,11 +11,11 @@ namespace {
 
 const std::string needs_prices = ": expected --cost FILE.toml with it, which says what parts cost";
 
-TEST(BadLadder, IsNamedWithWhatWasExpected) {
+TEST(BadTradeoff, IsNamedWithWhatWasExpected) {
   expect_all_bad({
-      {"explore --out out --ladder knots",
-       "--ladder: knots not in {sheaths,blocks,pulleys,parts,cost}"},
-      {"rank TR1 TR7 --ladder ''", "--ladder"},
+      {"explore --out out --tradeoff knots",
+       "--tradeoff: knots not in {sheaths,blocks,pulleys,parts,cost}"},
+      {"rank TR1 TR7 --tradeoff ''", "--tradeoff"},
       {"explore --out out --within 2",
        "--within '2': expected a loss in percent, from 0% to below 100%, such as 2%"},
       {"rank TR1 TR7 --within -1%", "--within '-1%': expected a loss in percent"},
@@ -25,8 +25,8 @@ TEST(BadLadder, IsNamedWithWhatWasExpected) {
 
 TEST(BadCost, IsNamedWhereThereAreNoPrices) {
   expect_all_bad({
-      {"explore --out out --ladder cost", "--ladder 'cost'" + needs_prices},
-      {"rank TR1 TR7 --ladder cost", "--ladder 'cost'" + needs_prices},
+      {"explore --out out --tradeoff cost", "--tradeoff 'cost'" + needs_prices},
+      {"rank TR1 TR7 --tradeoff cost", "--tradeoff 'cost'" + needs_prices},
       {"explore --out out --objectives uniformity,cost", "--objectives 'cost'" + needs_prices},
       {"rank TR1 TR7 --objectives cost", "--objectives 'cost'" + needs_prices},
       {"explore --out out --score uniformity=1,cost=0.1", "--score 'cost'" + needs_prices},

@@ -18,7 +18,7 @@ BadLine with_file(Arguments arguments, const std::string& file, const std::strin
   return {std::move(arguments), message};
 }
 
-TEST(BadHand, IsNoneWhereItsObjectivesAreAskedFor) {
+TEST(BadHand, IsMissingThoughItsObjectivesAreAskedFor) {
   expect_all_bad({
       {"rank TR1 --objectives uniformity,motor_force", "--objectives: motor_force" + needed},
       {"rank TR1 --score uniformity=1,stroke=0.1", "--score: stroke" + needed},
@@ -56,7 +56,7 @@ TEST(BadHand, IsNamedByFileLineAndColumn) {
   });
 }
 
-TEST(BadHand, HasAGuideThatThereCannotBe) {
+TEST(BadHand, HasAnImpossibleGuide) {
   expect_all_bad({
       with_file("show TR1", "guide_name.toml",
                 "guide_name.toml:3:64: hand.joints[1].guide = \"rope\": expected \"pulley\" or "

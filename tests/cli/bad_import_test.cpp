@@ -30,18 +30,18 @@ TEST(BadImport, NamesAnOptionThatItCannotTake) {
       {"import none.csv", "none.csv: cannot be read: No such file or directory"},
       {"import empty.csv", "empty.csv: is empty: expected a header and rows below it"},
       {"import ok.csv", "ok.csv:1: the header has no column of time: expected one of "},
-      {"import ok.csv --least-time 0", "--least-time"},
+      {"import ok.csv --min-duration 0", "--min-duration"},
       {"import ok.csv --tolerance 2", "--tolerance"},
-      {"import ok.csv --per-sweep 0", "--per-sweep"},
+      {"import ok.csv --readings-per-stroke 0", "--readings-per-stroke"},
       {"import ok.csv --direction back", "--direction"},
       {"import ok.csv -o ok.csv", "would be written over the data"},
       {"import ok.csv --plot ok.csv", "would be written over the data"},
       {"import ok.csv -o none/readings.csv", "-o 'none/readings.csv': expected a file that"},
-      {"import ok.csv -o no_catalogue", "-o 'no_catalogue': expected the name of a file"},
+      {"import ok.csv -o no_catalog", "-o 'no_catalog': expected the name of a file"},
   });
 }
 
-TEST(BadImport, NamesALabelThatNoReadingCouldHave) {
+TEST(BadImport, NamesAnImpossibleLabel) {
   expect_refused(plain, {"-o", "readings.csv"},
                  "log.csv:1: the header has no column 'routing': expected a routing such as "
                  "M-1-T-2-F in each row, or given by --routing");
@@ -64,7 +64,7 @@ TEST(BadImport, NamesALabelThatNoReadingCouldHave) {
                  "cell");
 }
 
-TEST(BadImport, TellsAllLabelsThatNoReadingCouldHave) {
+TEST(BadImport, ListsAllImpossibleLabels) {
   expect_refused(
       "t,run,routing,held,direction,motor_tension_N,T1_N,T5_N\n0,A,TR1,3,,20,6,\n"
       "1,,TR1,,up,20,6,\n2,B,TR1,,,20,6,1\n",
@@ -77,7 +77,7 @@ TEST(BadImport, TellsAllLabelsThatNoReadingCouldHave) {
       "  log.csv:4: column 'T5_N': the routing 'TR1' has no segment T5: expected an empty cell");
 }
 
-TEST(BadImport, TellsAllThatAnUnmappedLogLacksAndTheWayToAMapping) {
+TEST(BadImport, ListsAllMissingColumnsAndPointsToAMapping) {
   expect_refused("Zeit [s];Kraft 1 [N]\n0;6\n1;6\n", {},
                  "log.csv: 3 faults:\n"
                  "  log.csv:1: the header has no column of time: expected one of time_s, t_s, t, "
@@ -92,7 +92,7 @@ TEST(BadImport, TellsAllThatAnUnmappedLogLacksAndTheWayToAMapping) {
                  "M-1-T-2-F in each row, or given by --routing");
 }
 
-TEST(BadImport, TellsAllFaultsOfALog) {
+TEST(BadImport, ListsAllFaultsOfALog) {
   expect_refused("t,motor_tension_N,T1_N\n0,x,6\n1,20,inf\n", {"--routing", "TR1"},
                  "log.csv: 2 faults:\n"
                  "  log.csv:2: column 'motor_tension_N' = 'x': expected a number from -1000000000 "

@@ -21,7 +21,7 @@ TEST(BadRouting, IsNamedWithTheColumnAndWhatWasExpected) {
           "routing 'M-1-Q-2-F', column 5: unknown token 'Q': expected M, F, T, B, P, a finger such as 1, 2b or 3x, a block such as Y1 or Y1k, or a bar such as W1"),
       show("m-1-t-2-f", "routing 'm-1-t-2-f', column 1: unknown token 'm'"),
       show("TR9",
-           "routing 'TR9': no such name in the catalogue; expected one of TR1, TR2, TR3, TR4, TR5, "
+           "routing 'TR9': no such name in the catalog; expected one of TR1, TR2, TR3, TR4, TR5, "
            "TR6, TR7, a mechanism of benches, gloves, hands, hauls, tackles, or a word such as "
            "M-1-T-2-F"),
       show("M-1-T-1-F", "routing 'M-1-T-1-F', column 7: finger 1 is passed twice"),
@@ -74,21 +74,21 @@ TEST(BadShowOption, IsNamedWithItsValueAndWhatWasExpected) {
       {"show --fingers 3", "--fingers requires --like"},
       {"show TR1 --like TR7 --fingers 3", "routing excludes --like"},
       {"show --like TR6 --fingers 3",
-       "--fingers '3': expected one of 2, 4: the catalogue has TR6 for no other number"},
+       "--fingers '3': expected one of 2, 4: the catalog has TR6 for no other number"},
       {"show --like ZRig --fingers 2",
-       "--fingers '2': expected 1: the catalogue has ZRig for no other number"},
+       "--fingers '2': expected 1: the catalog has ZRig for no other number"},
       {"show --like SDMHnd --fingers 4",
-       "--like 'SDMHnd': expected a name of the catalogue, which reeve catalogue lists; did you "
+       "--like 'SDMHnd': expected a name of the catalog, which reeve catalog lists; did you "
        "mean SDMHand?"},
       {"show TR5 --svg out/x.PDF",
        "--svg 'out/x.PDF': expected a file of SVG, such as 'out/x.svg'; rsvg-convert -f pdf or "
        "Inkscape converts it"},
       {"check --svg x.png", "--svg 'x.png': expected a file of SVG, such as 'x.svg'"},
       {"import log.csv --plot x.pdf", "--plot 'x.pdf': expected a file of SVG, such as 'x.svg'"},
-      {"catalogue --family none",
+      {"catalog --family none",
        "--family 'none': expected one of paper, benches, gloves, hands, hauls, tackles"},
-      {"catalogue --fingers 64",
-       "--fingers '64': expected a number of fingers that something in the catalogue has"},
+      {"catalog --fingers 64",
+       "--fingers '64': expected a number of fingers that something in the catalog has"},
       {"show TR1 --held 3",
        "held '3': '3': expected none, or finger numbers from 1 to 2 such as 1,2"},
       {"show TR1 --held 1,1", "held '1,1': finger 1 is named twice"},
@@ -101,8 +101,8 @@ TEST(BadShowOption, IsNamedWithItsValueAndWhatWasExpected) {
       {"show TR1 --svg a.svg --held 1 --held 2",
        "--svg draws one grasp: expected --held once at most"},
       {"show TR1 --svg ''", "--svg '': expected the name of a file, not a folder"},
-      {"show TR1 --svg no_catalogue",
-       "--svg 'no_catalogue': expected the name of a file, not a folder"},
+      {"show TR1 --svg no_catalog",
+       "--svg 'no_catalog': expected the name of a file, not a folder"},
       {"show TR1 --svg missing/a.svg",
        "--svg 'missing/a.svg': expected a file that can be written: No such file or "
        "directory"},
@@ -230,13 +230,14 @@ TEST(BadPageOfARanking, IsRefusedBeforeAnythingIsWritten) {
       {rank("--data cell.csv"), "cell.csv:2"},
       {rank("--data name.csv"), "TR9"},
       {rank("--data ok.csv"), "ok.csv: there is nothing to draw: expected readings"},
-      {rank("--distributions 0.18,smooth"), "--distributions '0.18,smooth': 'smooth': " + mu},
-      {rank("--distributions ''"), "--distributions '': '': " + mu},
-      {rank("--distributions -0.1"), "--distributions '-0.1': '-0.1': " + mu},
-      {rank("--distributions 0.1,0.1"), "--distributions '0.1,0.1': 0.1 is given twice"},
-      {rank("--distributions model,model"), "--distributions 'model,model': model is given twice"},
+      {rank("--distribution-mu 0.18,smooth"), "--distribution-mu '0.18,smooth': 'smooth': " + mu},
+      {rank("--distribution-mu ''"), "--distribution-mu '': '': " + mu},
+      {rank("--distribution-mu -0.1"), "--distribution-mu '-0.1': '-0.1': " + mu},
+      {rank("--distribution-mu 0.1,0.1"), "--distribution-mu '0.1,0.1': 0.1 is given twice"},
+      {rank("--distribution-mu model,model"),
+       "--distribution-mu 'model,model': model is given twice"},
       {"rank TR1 TR7 --data ok.csv", "--data requires --out"},
-      {"rank TR1 TR7 --distributions 0.1", "--distributions requires --out"},
+      {"rank TR1 TR7 --distribution-mu 0.1", "--distribution-mu requires --out"},
   });
 }
 
@@ -262,7 +263,7 @@ TEST(BadRank, IsNamedWithTheRoutings) {
   });
 }
 
-TEST(BadOption, ThatWouldBePassedOverIsRefused) {
+TEST(BadOption, ThatWouldHaveNoEffectIsRefused) {
   const std::string alone =
       " prints the ranking alone; expected one of the two, or --out with them for a page";
   expect_all_bad({
@@ -331,7 +332,7 @@ TEST(UnknownNames, AreHeldAgainstTheKnownOnes) {
       {"explore --parts fulll",
        "--parts: fulll not in {paper,full,all,field}; did you mean full? "
        "See reeve explore --help"},
-      {"explore --ladder sheath", "; did you mean sheaths? See reeve explore --help"},
+      {"explore --tradeoff sheath", "; did you mean sheaths? See reeve explore --help"},
       {"show TR1 --format jsn", "; did you mean json? See reeve show --help"},
       {"show TR1 --direction pul", "; did you mean pull? See reeve show --help"},
       {"check --family papr", "; did you mean paper?"},

@@ -69,7 +69,7 @@ inline void fill(const TemporaryFolder& folder) {
   folder.write("vary.toml", "[vary]\ntip_angle = [4, 1]\n");
   folder.write("vary_name.toml", "[vary]\nangle = [1, 4]\n");
   folder.write("vary_finger.toml", "[vary]\n\"tip_angle[3]\" = [1, 4]\n");
-  folder.write("vary_same.toml", "[vary]\ntip_angle = [1, 4]\nsame = [\"all\"]\n");
+  folder.write("vary_same.toml", "[vary]\ntip_angle = [1, 4]\nequal = [\"all\"]\n");
   folder.write("ok.csv", "run,routing,motor_tension_N,T1_N\nA,TR1,20,6\n");
   folder.write("residuals.csv", "run,routing,motor_tension_N,T1_N\nA,TR1,20,6\n");
   folder.write("cell.csv", "run,routing,T1_N\nA,TR1,x\n");
@@ -86,11 +86,11 @@ inline void fill(const TemporaryFolder& folder) {
   folder.write("alone.csv", "run,routing,T1_N\nA,TR1,1\n");
   folder.write("latin1.csv", "run,routing,motor_tension_N,T1_N\nF\xFChrung,TR1,20,6\n");
   folder.write("latin1.toml", "# F\xFChrung\n[tube]\nmu = 0.1\n");
-  std::filesystem::create_directory(folder.path() / "no_catalogue");
+  std::filesystem::create_directory(folder.path() / "no_catalog");
   std::filesystem::create_directory(folder.path() / "explored");
   folder.write("explored/designs.csv", "rank,front,routing,name\n1,1,M-1-T-2-F,TR1\n2,1,M-1-Q,\n");
-  std::filesystem::create_directory(folder.path() / "broken_catalogue");
-  folder.write("broken_catalogue/tr1.toml", "name = \n");
+  std::filesystem::create_directory(folder.path() / "broken_catalog");
+  folder.write("broken_catalog/tr1.toml", "name = \n");
 }
 
 inline void expect_bad(const BadLine& line) {

@@ -135,8 +135,7 @@ TEST(BadOutput, IsNamedAndLeavesNothing) {
   expect_all_bad({
       {"simulate --routings TR1,TR5,TR7 -o missing/a.csv",
        "file 'missing/a.csv' cannot be written: "},
-      {"simulate --routings TR1,TR5,TR7 -o no_catalogue",
-       "file 'no_catalogue' cannot be written: "},
+      {"simulate --routings TR1,TR5,TR7 -o no_catalog", "file 'no_catalog' cannot be written: "},
       {"simulate --routings TR1,TR5,TR7 -o ''", "-o '': expected a file"},
   });
 }

@@ -32,10 +32,10 @@ TEST(BadSizing, OfBoundsIsNamedWithWhatWasExpected) {
        "--hardware or --model"},
       {"size TR1 --vary tip_angle=1..4 --goal score --score closure=1",
        "--score: closure needs a hand; expected"},
-      {"size TR1 --vary tip_angle=1..4 --same sheaths",
-       "--same 'sheaths': expected dimensions that are varied"},
-      {"size TR1 --vary tip_angle=1..4 --same thumbs",
-       "--same 'thumbs': expected tips, sheaths, strands"},
+      {"size TR1 --vary tip_angle=1..4 --equal sheaths",
+       "--equal 'sheaths': expected dimensions that are varied"},
+      {"size TR1 --vary tip_angle=1..4 --equal thumbs",
+       "--equal 'thumbs': expected tips, sheaths, strands"},
       {"size TR1 --vary sheath_angle=1..50",
        "at the upper end of the bounds and of the uncertainty's ranges: hardware: finger.1 "
        "sheath: mu * angle = 12: expected at most 10"},
@@ -102,7 +102,7 @@ TEST(BadSizing, OfBoundsInAFileIsNamedWithItsPlace) {
       {"size TR1 --hardware vary_finger.toml",
        "vary_finger.toml:2:1: vary: expected dimensions of M-1-T-2-F: sheath_angle[1]"},
       {"size TR1 --hardware vary_same.toml",
-       "vary_same.toml:3:9: vary: same 'all': expected tips, sheaths, strands"},
+       "vary_same.toml:3:10: vary: equal 'all': expected tips, sheaths, strands"},
   });
 }
 
@@ -145,7 +145,7 @@ TEST(BadSizing, OfRoutingsIsNamed) {
       line({},
            "size: nothing to size; expected routings, or --from with the folder of an "
            "exploration"),
-      line("TR9", "routing 'TR9': no such name in the catalogue"),
+      line("TR9", "routing 'TR9': no such name in the catalog"),
       line("TR1 M-1-T-2-F", "routing 'M-1-T-2-F' is given twice"),
       line("M-1-P-2-F F-2-P-1-M", "routing 'F-2-P-1-M' is given twice, as M-1-P-2-F"),
       line("TR1 M-1-F", "routing 'M-1-F': it has 1 finger: expected as many as 'M-1-T-2-F' has: 2"),

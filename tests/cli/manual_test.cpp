@@ -69,6 +69,23 @@ TEST(ManPage, TakesNoTextForARequest) {
   EXPECT_TRUE(has(page, "\\fB\\-\\-a\\-b\\fR \\fINUMBER\\fR\n\\&'quoted' first. Default: \\-1.\n"));
 }
 
+TEST(OptionsDocument, IsWhatTheProgramWrites) {
+  EXPECT_EQ(options_document(subcommand_texts()),
+            testing::read_text(REEVE_SOURCE_DIR "/docs/options.md"))
+      << "write it anew with reeve_write_manual --options";
+}
+
+TEST(OptionsDocument, ListsAnOptionOnceForAllThatTakeIt) {
+  const OptionText common{"all", "3", "How many", "int"};
+  EXPECT_TRUE(
+      has(options_document({{"one", "First", {common, {"out", "", "Where", "flag"}}},
+                            {"two", "Second", {common, {"word", "", "Which", "text", true}}}}),
+          "one        First\ntwo        Second\n```\n\n"
+          "## one, two\n\n```text\n--all N                   How many (3)\n```\n\n"
+          "## one\n\n```text\n--out                     Where\n```\n\n"
+          "## two\n\n```text\nword                      Which\n```\n\n"));
+}
+
 // Returns the completions of bash itself; `words` are those of the line, the last one unfinished.
 std::string completed(const std::vector<std::string>& words) {
   const testing::TemporaryFolder folder;

@@ -18,7 +18,7 @@ TEST(OptionFault, NamesTheOptionAsItIsWrittenOnTheCommandLine) {
             "--joins 'T,Q' |  | Q | a comma-separated list of T, B, P");
 }
 
-TEST(OptionFault, HasTheOptionAsThePlaceOfWhatIsReadForIt) {
+TEST(OptionFault, NamesTheOptionAsThePlaceOfAnErrorInItsFile) {
   EXPECT_EQ(
       input_fault([] { for_option("--routings", [] { return parse_routing("Q"); }); }),
       "--routings: routing 'Q', column 1 | unknown token | Q | M, F, T, B, P, a finger such as 1, 2b or 3x, a block such as Y1 or Y1k, or a bar such as W1");

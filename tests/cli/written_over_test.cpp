@@ -46,7 +46,7 @@ Case over_hardware(const std::string& input, Arguments arguments, const std::str
   return {input, hardware, arguments, message + " would be written over the hardware"};
 }
 
-TEST(WrittenOver, IsNoFileThatAnOptionNames) {
+TEST(Outputs, NeverReplaceAFileThatAnOptionNames) {
   const std::vector<Case> cases{
       over_hardware("h.toml", {"show", "TR7", "--svg", "h.toml"}, "--svg: 'h.toml'"),
       over_hardware("o/routing.json", {"show", "TR7", "--out", "o"}, "--out 'o': 'o/routing.json'"),
@@ -60,10 +60,10 @@ TEST(WrittenOver, IsNoFileThatAnOptionNames) {
                     "--out 'o': 'o/sizing.json'"),
       over_hardware("o/ranking.json", {"rank", "TR1", "TR7", "--out", "o"},
                     "--out 'o': 'o/ranking.json'"),
-      {"o/ladder.csv",
+      {"o/tradeoff.csv",
        prices,
-       {"rank", "TR1", "TR7", "--cost", "o/ladder.csv", "--out", "o"},
-       "--out 'o': 'o/ladder.csv' would be written over the prices"},
+       {"rank", "TR1", "TR7", "--cost", "o/tradeoff.csv", "--out", "o"},
+       "--out 'o': 'o/tradeoff.csv' would be written over the prices"},
       {"o/sweep.csv",
        data,
        {"rank", "TR1", "TR7", "--data", "o/sweep.csv", "--out", "o"},
@@ -84,7 +84,7 @@ TEST(WrittenOver, IsNoFileThatAnOptionNames) {
   for (const Case& tried : cases) expect_left_as_it_was(tried);
 }
 
-TEST(WrittenOver, IsNoHardwareOfReadings) {
+TEST(Outputs, NeverReplaceTheHardwareFileOfADiagnosis) {
   for (const Arguments& output : {Arguments("--save-model h.toml"), {"--out", "h.toml/.."}}) {
     const TemporaryFolder folder;
     folder.write("h.toml", hardware);
@@ -100,7 +100,7 @@ TEST(WrittenOver, IsNoHardwareOfReadings) {
                          "--out 'o': 'o/comparison.json' would be written over the data"});
 }
 
-TEST(WrittenOver, IsNoFileThatALinkLeadsTo) {
+TEST(Outputs, NeverReplaceAnInputBehindALink) {
   const TemporaryFolder folder;
   folder.write("h.toml", hardware);
   fs::create_symlink("h.toml", folder.path() / "drawing.svg");
@@ -114,7 +114,7 @@ TEST(WrittenOver, IsNoFileThatALinkLeadsTo) {
   }
 }
 
-TEST(WrittenOver, IsNoStoreAlsoWhileThereIsNoneYet) {
+TEST(Outputs, NeverReplaceAStoreOrTakeItsName) {
   const TemporaryFolder folder;
   const Arguments command("explore --store o/../o/designs.csv --out o");
   const std::string refused =
@@ -132,7 +132,7 @@ TEST(WrittenOver, IsNoStoreAlsoWhileThereIsNoneYet) {
   EXPECT_TRUE(read_text(folder.path() / "o" / "designs.csv") == store);
 }
 
-TEST(WrittenOver, IsNoShardThatIsMerged) {
+TEST(Outputs, NeverReplaceAShardThatIsMerged) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path() / "m");
   const std::vector<Arguments> shards{
@@ -152,7 +152,7 @@ TEST(WrittenOver, IsNoShardThatIsMerged) {
   EXPECT_TRUE(read_text(folder.path() / "a" / "shard.json") == shard);
 }
 
-TEST(WrittenOver, MayBeADevice) {
+TEST(Outputs, MayGoToADevice) {
   const TemporaryFolder folder;
   EXPECT_EQ(
       run_in(folder, {"show", "TR7", "--hardware", "/dev/null", "--svg", "/dev/null"}).exit_code,

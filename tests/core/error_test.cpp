@@ -56,7 +56,7 @@ TEST(InputError, AtAPlaceKeepsItsPartsAndGrowsWhere) {
 }
 
 // Who reads the number does not know the cell; who knows the cell names what the number is.
-TEST(InputError, OfAThingIsAboutItIfNothingElseIsNamedAndInItOtherwise) {
+TEST(InputError, TakesAnOuterThingAsSubjectOrAsPlace) {
   const InputFault cell{.where = "d:3", .what = "column", .value = "x", .form = InputForm::cell};
   const InputError number = InputError({.expected = "a number"}).at(cell);
   EXPECT_STREQ(number.what(), "d:3: column = 'x': expected a number");
@@ -69,7 +69,7 @@ TEST(InputError, OfAThingIsAboutItIfNothingElseIsNamedAndInItOtherwise) {
             "d:3: column = 'x': w |  | - | M");
 }
 
-TEST(InputError, BeginsWithMoreOfItsFirstName) {
+TEST(InputError, CanLengthenItsFirstName) {
   const InputFault shard{.what = "shard", .value = "9/8", .expected = "i/N"};
   const InputError option = InputError(shard).begun_with("--");
   EXPECT_STREQ(option.what(), "--shard '9/8': expected i/N");

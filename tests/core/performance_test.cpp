@@ -107,7 +107,7 @@ TEST(Performance, ReleasingTheMotorReceivesTheWorkOfTheFingers) {
 }
 
 // Summed up, these products of tension and travel give 1.0000000000000002.
-TEST(Performance, IsNoMoreThanAllWhereNothingIsLost) {
+TEST(Performance, NeverExceedsOneWithoutFriction) {
   Hardware smooth;
   smooth.tube.mu = 0;
   smooth.sheath.mu = 0;
@@ -140,7 +140,7 @@ TEST(Performance, OfAJamDoesNoWork) {
   EXPECT_EQ(performance_of("M-1-T-2-F", hold({1, 2})).efficiency, 0);
 }
 
-TEST(Performance, SlackBesideAJamIsNoUniformity) {
+TEST(Performance, SlackBesideAJamMeansUniformityZero) {
   EXPECT_EQ(performance_of("M-1-F+M-2-F", hold({2})).uniformity, 0);
 }
 

@@ -7,7 +7,7 @@
 namespace reeve {
 namespace {
 
-TEST(NumberIn, IsTheNumberThatTheWholeTextIs) {
+TEST(NumberIn, ReadsTheWholeTextOrNothing) {
   EXPECT_EQ(number_in("12.5"), 12.5);
   EXPECT_EQ(number_in("-1e-3"), -1e-3);
   EXPECT_EQ(number_in("0"), 0);
@@ -17,7 +17,7 @@ TEST(NumberIn, IsTheNumberThatTheWholeTextIs) {
   }
 }
 
-TEST(WholeNumberIn, IsTheNumberThatTheWholeTextIs) {
+TEST(WholeNumberIn, ReadsTheWholeTextOrNothing) {
   EXPECT_EQ(whole_number_in("12"), 12);
   EXPECT_EQ(whole_number_in("-3"), -3);
   for (const char* text : {"", " 1", "1.0", "1b", "99999999999"}) {

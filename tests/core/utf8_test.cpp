@@ -7,14 +7,14 @@
 namespace reeve::testing {
 namespace {
 
-TEST(Utf8, IsWhatCharactersOfAnyLengthAreWrittenAs) {
+TEST(Utf8, EncodesCharactersOfAnyLength) {
   for (const char* text : {"", "abc\n", "Führung 1,5 µm", "→", "\xED\x9F\xBF", "\xEE\x80\x80",
                            "\xF0\x90\x80\x80", "\xF4\x8F\xBF\xBF", "a\xEF\xBB\xBF"}) {
     EXPECT_EQ(first_not_utf8(text), std::nullopt) << text;
   }
 }
 
-TEST(Utf8, EndsAtTheFirstByteAtWhichNoCharacterBegins) {
+TEST(Utf8, EndsAtTheFirstInvalidByte) {
   EXPECT_EQ(first_not_utf8("F\xFChrung"), 1U);
   EXPECT_EQ(first_not_utf8("\xC3\xBC\x80"), 2U);      // a byte that only follows others
   EXPECT_EQ(first_not_utf8("ab\xC3"), 2U);            // cut off

@@ -7,7 +7,7 @@
 namespace reeve {
 namespace {
 
-TEST(WearerParts, AreStrandsAlongTheFingersAndWhatMovesAtTheHand) {
+TEST(WearerParts, AreStrandsAlongFingersAndMovingPartsAtTheHand) {
   const WearerParts loop = wearer_parts(parse_routing("1-P-2-P-1"));
   EXPECT_EQ(loop.moving_parts, 0);
   EXPECT_EQ(loop.strands, 4);

@@ -58,7 +58,7 @@ std::string inverted_note(double per_load, double zero_N) {
   return testing::note_text(read_data(text).notes, NoteKind::inverted);
 }
 
-TEST(AChannel, ThatReadsTheMoreBelowZeroTheMoreIsPulledHasItsSignExchanged) {
+TEST(AChannel, WhoseReadingsFallBelowZeroUnderLoadHasAWrongSign) {
   EXPECT_EQ(inverted_note(-0.3, 0),
             "T2 reads below zero, the more so the more is pulled, which no tendon does: exchange "
             "the sign in the file if the sensor is mounted or wired the other way round");

@@ -51,7 +51,7 @@ bool is_named(const DiagnosisResult& result, const std::string& name) {
          std::any_of(result.indistinguishable.begin(), result.indistinguishable.end(), has);
 }
 
-TEST(Calibration, FindsTheCoefficientAndSaysThatItIsAnother) {
+TEST(Calibration, FindsACoefficientThatDiffersFromTheHardwareFile) {
   const DiagnosisResult result = diagnosed_sheaths(sheath_csv(0.12, 6));
   ASSERT_EQ(result.calibration.size(), 1U);
   EXPECT_EQ(result.calibration[0].name, "sheath_friction");
@@ -72,7 +72,7 @@ TEST(Calibration, FindsTheCoefficientFarFromWhatTheHardwareSays) {
   }
 }
 
-TEST(Calibration, OfWhatTheHardwareSaysIsNoCause) {
+TEST(Calibration, NamesNoCauseWhereTheHardwareFileIsRight) {
   const DiagnosisResult result = diagnosed_sheaths(sheath_csv(0.18, 6));
   ASSERT_EQ(result.calibration.size(), 1U);
   EXPECT_FALSE(result.calibration[0].differs);

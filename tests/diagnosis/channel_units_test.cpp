@@ -20,7 +20,7 @@ std::vector<DataNote> notes_with(double factor, std::size_t channels) {
   return notes_on_channel_units(all_of(data), {});
 }
 
-TEST(AChannelsUnit, IsSaidWhereItAloneIsOffByOne) {
+TEST(AChannelsUnit, IsQuestionedWhereThatChannelAloneIsOff) {
   for (const auto& [factor, unit] :
        {std::pair(1 / 9.80665, "is it in kgf?"), std::pair(1 / 4.44822, "is it in lbf?"),
         std::pair(1e-3, "is it in kN?"), std::pair(9.80665, "is it in newton, and taken for kgf?"),
@@ -33,7 +33,7 @@ TEST(AChannelsUnit, IsSaidWhereItAloneIsOffByOne) {
   }
 }
 
-TEST(AChannelsUnit, IsNotSaidOfGainsAndOfAllChannels) {
+TEST(AChannelsUnit, IsNotQuestionedForGainsOrForAllChannels) {
   for (const double factor : {1.0, 0.5, 2.0, 0.16, 6.0}) {
     EXPECT_TRUE(notes_with(factor, 1).empty()) << factor;
   }

@@ -33,7 +33,7 @@ DiagnoseOptions quick(double alpha) {
   return options;
 }
 
-TEST(Diagnose, RefusesDataInWhichNothingReadsAnything) {
+TEST(Diagnose, RefusesDataInWhichEveryTensionIsZero) {
   std::string csv = "run,routing,motor_tension_N,T1_N,T2_N\n";
   for (int run = 1; run <= 9; ++run) {
     for (int i = 0; i < 4; ++i) csv += std::to_string(run) + ",M-1-F,10,0,0\n";
@@ -164,7 +164,7 @@ TEST(Diagnose, NamesNoCauseThatTheTrainingRunsRefute) {
 }
 
 // There is no other run that could refute it, or confirm it.
-TEST(Diagnose, NamesACauseOfWhichOneRunAloneKnows) {
+TEST(Diagnose, NamesACauseThatOneRunAloneShows) {
   const DiagnosisResult result = of_runs({1});
   EXPECT_EQ(result.causes.size(), 1U);
   EXPECT_TRUE(result.not_confirmed.empty());

@@ -92,7 +92,7 @@ TEST(Groups, HaveCoefficientsOfTheirOwn) {
   }
 }
 
-TEST(Groups, AlikeAreSaidToDifferInNothing) {
+TEST(Groups, ThatAreAlikeShowNoDifference) {
   const MeasuredData data = by_winch({}, {}, 612);
   const DiagnosisResult result = diagnosed_by_winch(data);
   EXPECT_EQ(result.verdict, Verdict::none);
@@ -141,7 +141,7 @@ TEST(Groups, WeighByTheirScatter) {
 }
 
 // The files of two rigs, one below the other.
-TEST(Groups, OfOneRunNameAreSoManyRuns) {
+TEST(Groups, WithOneRunNameAreSeparateRuns) {
   ReadingOptions options;
   options.group = "winch";
   const MeasuredData data = read_data(
@@ -158,7 +158,7 @@ TEST(Groups, OfOneRunNameAreSoManyRuns) {
 }
 
 // One rig after the other, what differs between them looks like a drift of whatever it can.
-TEST(Groups, ThatDifferHaveNoCauseOfAllOfThem) {
+TEST(Groups, ThatDifferShareNoCause) {
   SKIP_UNDER_SANITIZERS();
   MeasuredData data = by_winch({0.18}, {0.12}, 611);
   std::stable_sort(data.readings.begin(), data.readings.end(),

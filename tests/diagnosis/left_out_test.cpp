@@ -115,7 +115,7 @@ TEST(LeftOutRuns, NeedAParameterAndThreeRuns) {
   EXPECT_EQ(left_out(bench_data(more), with_gain(1.1)).size(), 3U);
 }
 
-TEST(LeftOutRuns, AreGivenUpOnceNobodyWaitsForThem) {
+TEST(LeftOutRuns, AreNotForecastOnceTheDiagnosisIsStopped) {
   const MeasuredData data = bench_data({{"a", 10, 11.1}, {"b", 15, 16.4}, {"c", 12, 13.3}});
   const std::atomic<bool> stop = true;
   Workers workers(2, &stop);

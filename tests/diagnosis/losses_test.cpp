@@ -254,7 +254,7 @@ TEST(Losses, OfAnEvenNumberHaveTheirMedianBetweenTheTwoInTheMiddle) {
             (std::vector<bool>{false, false, false, false, false, true}));
 }
 
-TEST(Losses, OfFewNoneStandsApart) {
+TEST(Losses, AreTooFewToStandApart) {
   EXPECT_EQ(apart({0, 0.01, 0.5}, 1e-4), std::vector<bool>(3, false));
 }
 

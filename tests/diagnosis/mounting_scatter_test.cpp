@@ -123,7 +123,7 @@ TEST(MountingScatter, IsTheLikeliest) {
   }
 }
 
-TEST(MountingScatter, IsToldByWhatTheReadingsLeaveOfIt) {
+TEST(MountingScatter, CountsHowFarReadingsDetermineEachKind) {
   const Mountings rig;
   const MountingScatter found = mounting_scatter(rig.readings, rig.at, rig.modes, 0.06);
   const Eigen::VectorXd left = rig.covariance(found.relative).inverse().diagonal();

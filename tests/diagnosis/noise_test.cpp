@@ -57,7 +57,7 @@ TEST(Noise, IsFoundInPairs) {
 }
 
 // 0 = 0 to any accuracy: readings of other sensors that are small are not that sure.
-TEST(Noise, IsNotThatOfASensorThatIsDead) {
+TEST(Noise, IgnoresADeadSensor) {
   const std::string alive = rows_of_loads(240, [](int i) { return 10.0 + 0.1 * i; });
   std::string with_dead;
   std::size_t begin = 0;
@@ -165,7 +165,7 @@ TEST(Noise, IsNeverLessThanAThousandthOfTheMedianReading) {
 
 // Of 1 % and 0.5 N, 40 pairs from 5 to 40 N hardly tell the former: the likeliest is none of it in
 // some of these files, and a reading of 100 N would then weigh four times what it should.
-TEST(Noise, OfAPartThatReadingsHardlyTellIsNotNone) {
+TEST(Noise, OfAPartThatReadingsHardlyShowIsNotZero) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     std::string text = "run,routing,motor_tension_N,T1_N\n";
     for (std::uint64_t i = 0; i < 80; ++i) {

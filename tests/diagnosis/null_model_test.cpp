@@ -106,7 +106,7 @@ double scatter_of_T4(std::size_t alive) {
   return greatest;
 }
 
-TEST(NullModel, HasNoNoiseOfASensorThatIsDead) {
+TEST(NullModel, AddsNoNoiseToADeadSensor) {
   EXPECT_EQ(scatter_of_T4(0), 0);
   // A coarse one that reads 0 now and then is not.
   EXPECT_GT(scatter_of_T4(1), 1);
@@ -118,7 +118,7 @@ TEST(NullModel, IsDrawnByTheSeedWhateverTheThreads) {
   EXPECT_NE(drawn(bench, {}, 1)[0], drawn(bench, {}, 2)[0]);
 }
 
-TEST(Projection, MakesNothingOfWhatTheParametersExplain) {
+TEST(Projection, RemovesWhatTheParametersExplain) {
   const Bench bench({1});
   const Model model = on_T1.model(1);
   const Forecast at = forecast(bench.dataset, model);

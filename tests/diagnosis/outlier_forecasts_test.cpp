@@ -81,7 +81,7 @@ TEST(OutlierForecasts, AreNoneByChance) {
 }
 
 // The grasp of one row was another one, and no training run has it.
-TEST(OutlierForecasts, TellOfAGraspThatIsNowhereElse) {
+TEST(OutlierForecasts, ShowAWrongGraspOfOneRow) {
   PlantingPlan plan;
   plan.effects = {EffectKind::wrong_grasp};
   const DiagnosisResult result = diagnosed(planted(plan, 4937402093307926638U));

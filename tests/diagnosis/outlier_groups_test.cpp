@@ -134,7 +134,7 @@ JudgedCell outlier_cell(std::size_t reading, double expected_N, double z) {
   return {reading, 0, 0, expected_N, z};
 }
 
-TEST(OutlierSides, AreChosenByNoNoise) {
+TEST(OutlierSides, AreEvenForNoise) {
   std::vector<JudgedCell> far;
   for (std::size_t i = 0; i < 12; ++i) {
     far.push_back(outlier_cell(i, 10.0 + static_cast<double>(i), i % 2 == 0 ? 9 : -9));
@@ -145,7 +145,7 @@ TEST(OutlierSides, AreChosenByNoNoise) {
   EXPECT_GT(sides.p_value, 0.5);
 }
 
-TEST(OutlierSides, AreOneOfAZeroThatMoved) {
+TEST(OutlierSides, AreOneSidedForAZeroThatMoved) {
   std::vector<JudgedCell> far;
   for (std::size_t i = 0; i < 12; ++i) far.push_back(outlier_cell(i, 10, 9));
   // Twelve of twelve by the sign test, two-sided, and two tests.

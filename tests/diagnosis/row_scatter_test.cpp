@@ -54,9 +54,9 @@ TEST(RowScatter, IsNotFoundWhereThereIsNone) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) EXPECT_FALSE(found(rig(0, seed))) << seed;
 }
 
-TEST(RowScatter, IsNotToldBySingleReadings) { EXPECT_FALSE(found(rig(0.06, 11, 1))); }
+TEST(RowScatter, CannotBeSeenInSingleReadings) { EXPECT_FALSE(found(rig(0.06, 11, 1))); }
 
-TEST(RowScatter, IsNoNewsWhereItIsTold) {
+TEST(RowScatter, IsNotReportedWhereItIsGiven) {
   MeasuredData data = rig(0.06, 11);
   data.known_motor_noise = KnownNoise{.relative = 0.06};
   EXPECT_FALSE(found(data));

@@ -61,7 +61,7 @@ TEST(Screening, GivesTheGainOfTheFirstOrderAtTheNoiseThatIsSeen) {
   EXPECT_NEAR(seen.gain(1), gain(2, 30 * 16), 1e-3);
 }
 
-TEST(Screening, GivesNothingToASizeThatTheCauseCannotHave) {
+TEST(Screening, GivesNoGainToAnImpossibleSize) {
   const Seen more(0.1, {only_more.candidate(), only_less.candidate()});
   EXPECT_GT(more.gain(0), 5);
   EXPECT_EQ(more.gain(1), 0);
@@ -95,7 +95,7 @@ TEST(Screening, StartsAFitAtTheSizeOfTheFirstOrderWithinTheRange) {
   EXPECT_TRUE(starts(2).empty());  // as a whole it gains nothing
 }
 
-TEST(GainFromMisfits, IsNothingWhereNothingIsGained) {
+TEST(GainFromMisfits, IsZeroWithoutImprovement) {
   EXPECT_EQ(gain_from_misfits(10, 10, 5), 0);
   EXPECT_EQ(gain_from_misfits(10, 11, 5), 0);
   EXPECT_EQ(gain_from_misfits(0, 0, 5), 0);

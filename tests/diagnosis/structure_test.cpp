@@ -86,7 +86,7 @@ TEST(Structure, OfNoiseIsNone) {
 }
 
 // Where the scales of rows are free, what all readings of a row do together is no pattern.
-TEST(Structure, LooksForNothingThatFreeScalesTakeUp) {
+TEST(Structure, IgnoresWhatFreeScalesAbsorb) {
   std::string csv = "run,routing,held,T1_N,T2_N,T3_N,T4_N\n";
   for (int i = 0; i < 30; ++i) csv += fmt::format("r,1-P-2-P-1,{},3,2,4,5\n", 1 + i % 2);
   const Setting setting(csv);
@@ -134,7 +134,7 @@ TEST(Structure, FollowsTheStrandsTheRoutingsAndTheGrasps) {
   }
 }
 
-TEST(Structure, IsNotLookedForAmongGroupsThatThereAreNot) {
+TEST(Structure, IsNotSoughtInGroupsThatDoNotExist) {
   const Setting setting(two_strands(40, [](int i) { return "M-1-T-2-F,1,pull," + at_loads(i); }));
   const auto tests = setting.tests();
   EXPECT_EQ(test_about(tests, "routing"), nullptr);
@@ -276,7 +276,7 @@ TEST(Structure, IsWhereTheMeanResidualIsFarthestInStandardErrors) {
 }
 
 // On a bench no grasp is worth a word.
-TEST(Structure, IsInNoGraspWhereThereIsNoneToChoose) {
+TEST(Structure, OnABenchNamesNoGrasp) {
   const Setting setting(
       two_strands(44, [](int i) { return fmt::format("M-1-F,,pull,{}", at_loads(i)); }));
   const Eigen::VectorXd left = Eigen::VectorXd::Constant(setting.cells(), 0.5);

@@ -211,7 +211,7 @@ TEST(Levers, AreTheDerivativesOfTheEquations) {
   }
 }
 
-TEST(Evidence, OfOneWildReadingHardlyMovesTheScatter) {
+TEST(Evidence, IsRobustAgainstOneWildReading) {
   const MeasuredData data = read_data(readings([](const Row&, int) { return 1.0; }));
   Dataset all = all_of(data);
   Workers workers(1);

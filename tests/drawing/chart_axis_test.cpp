@@ -77,7 +77,7 @@ TEST(ChartAxis, EndsBeforeWhatIsImpossible) {
   EXPECT_EQ(texts(laid), (Strings{"1", "10", "20", "30", "37"}));
 }
 
-TEST(ChartAxis, ReachesWhatIsThereEvenIfItShouldBeImpossible) {
+TEST(ChartAxis, ReachesEveryValueEvenAnImpossibleOne) {
   Axis share;
   share.greatest = 1;
   EXPECT_EQ(lay(share, 0.5, 1.25).scale.high, 1.25);

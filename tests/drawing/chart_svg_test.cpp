@@ -84,7 +84,7 @@ TEST(ChartSvg, DrawsOneElementForEachMarkThatCanBeDrawn) {
   EXPECT_EQ(count(svg, "gone"), 0U);
 }
 
-TEST(ChartSvg, SaysWhatAMarkIsToWhoPointsAtIt) {
+TEST(ChartSvg, HasATooltipForEachMark) {
   const std::string svg = chart_svg(one_of_everything("t"));
   EXPECT_NE(group(svg, "reeve-points").find("<title>t</title></circle>"), std::string::npos);
   EXPECT_EQ(count(svg, "<title>t</title>"), 6U);
@@ -155,7 +155,7 @@ TEST(ChartSvg, StepsFirstAcrossThenUp) {
   EXPECT_EQ(at.str(3), at.str(5));
 }
 
-TEST(ChartSvg, CutsALongTextAndTellsAllOfItToWhoPointsThere) {
+TEST(ChartSvg, ShortensALongTextAndHasAllOfItInATooltip) {
   Chart chart = one_of_everything("t");
   const std::string name(300, 'x');
   chart.panels[0].title = name;

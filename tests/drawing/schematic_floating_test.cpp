@@ -40,14 +40,14 @@ SchematicLayout drawn(const std::string& word) {
   return layout(expand(parse_routing(word)), {word, "", {}, true, true});
 }
 
-TEST(FloatingSchematic, OfHandsInPrintHasNothingOverAnything) {
+TEST(FloatingSchematic, OfPublishedHandsHasNoOverlap) {
   for (const std::string& word : in_print) {
     expect_sound(parse_routing(word), {});
     expect_sound(parse_routing(word), hold({1}));
   }
 }
 
-TEST(FloatingSchematic, OfRandomRoutingsHasNothingOverAnything) {
+TEST(FloatingSchematic, OfRandomRoutingsHasNoOverlap) {
   for (std::uint64_t seed = 1; seed <= 600 && !::testing::Test::HasFailure(); ++seed) {
     testing::Dice dice(seed);
     const Routing routing = testing::random_rigging(dice);
@@ -55,14 +55,14 @@ TEST(FloatingSchematic, OfRandomRoutingsHasNothingOverAnything) {
   }
 }
 
-TEST(FloatingSchematic, OfManyFingersAndBlocksHasNothingOverAnything) {
+TEST(FloatingSchematic, OfManyFingersAndBlocksHasNoOverlap) {
   for (std::uint64_t seed = 1; seed <= 15 && !::testing::Test::HasFailure(); ++seed) {
     testing::Dice dice(seed);
     expect_sound(testing::random_rigging(dice, {9, 6}), {});
   }
 }
 
-TEST(FloatingSchematic, KeepsWhatPullsTheWrongWayApart) {
+TEST(FloatingSchematic, OfUnusualPullsHasNoOverlap) {
   for (const char* word :
        {"M-1-Y1+2-Y1-3-T-2", "F-1-Y1+M-2-Y1-F", "M-Y1+M-Y1+1x-Y1-2x", "M-Y1-Y1-Y1k+Y1-1x",
         "Y1-Y1+1x-Y1-M", "F-1x+2x-M+F-F", "M-B-T-Y1-B-T-Y1k+Y1-T-B-F", "M-Y1k+Y1-Y2k+Y2-F"}) {
@@ -71,7 +71,7 @@ TEST(FloatingSchematic, KeepsWhatPullsTheWrongWayApart) {
 }
 
 // Of all of these there is a drawing without crossings, fingers in the order of their numbers.
-TEST(FloatingSchematic, OfHandsInPrintHasNoCrossing) {
+TEST(FloatingSchematic, OfPublishedHandsHasNoCrossing) {
   for (const std::string& word : in_print) EXPECT_EQ(crossings(drawn(word)), 0U) << word;
 }
 

@@ -18,14 +18,14 @@ namespace {
 
 using testing::expect_sound;
 
-TEST(SchematicLayout, OfTheSevenHasNothingOverAnything) {
+TEST(SchematicLayout, OfTheSevenHasNoOverlap) {
   for (const char* word : {"M-1-T-2-F", "M-1-T-2-M", "F-1-P-2-F", "M-1-P-2-F", "M-1-P-2-M",
                            "1-T-2-P-1", "1-P-2-P-1"}) {
     expect_sound(parse_routing(word), hold({1}));
   }
 }
 
-TEST(SchematicLayout, OfRandomRoutingsHasNothingOverAnything) {
+TEST(SchematicLayout, OfRandomRoutingsHasNoOverlap) {
   for (std::uint64_t seed = 1; seed <= 600 && !::testing::Test::HasFailure(); ++seed) {
     testing::Dice dice(seed);
     const Routing routing = testing::random_routing(dice, {1, 5, dice.chance(0.7), true});
@@ -33,7 +33,7 @@ TEST(SchematicLayout, OfRandomRoutingsHasNothingOverAnything) {
   }
 }
 
-TEST(SchematicLayout, OfSeveralMotorsHasNothingOverAnything) {
+TEST(SchematicLayout, OfSeveralMotorsHasNoOverlap) {
   for (std::uint64_t seed = 1; seed <= 200 && !::testing::Test::HasFailure(); ++seed) {
     testing::Dice dice(seed);
     const Routing routing =
@@ -55,7 +55,7 @@ TEST(SchematicLayout, DrawsTheCarriageOfEachMotor) {
   EXPECT_EQ(motors("F-1-F"), std::vector<int>{});
 }
 
-TEST(SchematicLayout, OfLargeHandsHasNothingOverAnything) {
+TEST(SchematicLayout, OfLargeHandsHasNoOverlap) {
   for (std::uint64_t seed = 1; seed <= 60 && !::testing::Test::HasFailure(); ++seed) {
     testing::Dice dice(seed);
     const Routing routing = testing::random_routing(dice, {8, 10, true, true});

@@ -108,7 +108,7 @@ TEST(SchematicSvg, WithoutAStateShowsThePartsAlone) {
   EXPECT_EQ(distinct.size(), 1U);
 }
 
-TEST(SchematicSvg, EscapesWhatUsersName) {
+TEST(SchematicSvg, EscapesNamesThatUsersGive) {
   const Network network = expand(parse_routing("M-1-F"));
   const std::string svg = schematic_svg(schematic(network, "<b>&\"'\x01 glove"), "a\"b");
   expect_well_formed(svg);

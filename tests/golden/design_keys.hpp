@@ -15,7 +15,7 @@ inline const std::string objectives =
     "blocks finger_uniformity parts cost uniformity_p5 efficiency_p5";
 inline const std::string equivalent = " smallest_jams alike same_as place";
 inline const std::string evaluated_settings = "objectives score grasps hardware model uncertainty";
-inline const std::string common_settings = evaluated_settings + " ladder prices sweep";
+inline const std::string common_settings = evaluated_settings + " tradeoff prices sweep";
 
 inline void expect_pair(const Json& json) {
   EXPECT_EQ(keys(json["uniformity"]), "mean worst");

@@ -1,4 +1,4 @@
-// The keys of what an exploration writes: summary, sweep, shard, ladder, unmet constraints.
+// The keys of what an exploration writes: summary, sweep, shard, trade-off, unmet constraints.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -14,7 +14,7 @@ TEST(KeysOfTheExploreSummary, AreThePromisedOnes) {
   EXPECT_EQ(
       keys(json),
       "generated rejected evaluated pruned ranked partial notes left_out total seconds "
-      "designs_per_second front_equals_left_out front_distinct front top best known ladder never_jams robust_first "
+      "designs_per_second front_equals_left_out front_distinct front top best known tradeoff never_jams robust_first "
       "target motor unmet exploration settings version");
   EXPECT_EQ(keys(json["rejected"]), "not actuated");
   EXPECT_EQ(keys(json["front"][0]), "rank front routing name" + objectives + equivalent);
@@ -71,7 +71,7 @@ TEST(KeysOfAShard, AreThePromisedOnes) {
   EXPECT_EQ(
       keys(json),
       "exploration whole shard partial arguments total generated evaluated "
-      "without_tensions unconverged seconds constraint_failures reaches known kept equals_left_out ladder sample settings version "
+      "without_tensions unconverged seconds constraint_failures reaches known kept equals_left_out tradeoff sample settings version "
       "digest");
   EXPECT_EQ(keys(json["reaches"][0]), "met_by_any nearest nearest_with_the_others_met");
   EXPECT_EQ(keys(json["reaches"][0]["nearest"]), "below above");
@@ -88,31 +88,31 @@ TEST(KeysOfAStoreRankedAgain, AreThePromisedOnes) {
   const Json json = json_of({"rank", "--store", store, "--objectives", "travel"});
   EXPECT_EQ(keys(json),
             "exact inexact_because partial notes total generated evaluated kept failed_constraints "
-            "front_equals_left_out front top ladder never_jams settings version");
+            "front_equals_left_out front top tradeoff never_jams settings version");
   EXPECT_EQ(json["inexact_because"].size(), 1U);
   EXPECT_EQ(keys(json["top"][0]), keys(summary()["top"][0]));
 }
 
-TEST(KeysOfTheLadder, AreThePromisedOnes) {
+TEST(KeysOfTheTradeoff, AreThePromisedOnes) {
   const std::string prices = (std::filesystem::path(REEVE_CATALOG_DIR) / "prices/example.toml");
   const Json json = summary({"--cost", prices, "--within", "5%", "--parts", "full"});
-  EXPECT_EQ(keys(json["ladder"]), "by within affordable floating_blocks knee rungs");
-  EXPECT_EQ(keys(json["ladder"]["affordable"]), "routing name rank losses" + objectives);
-  const Json& rungs = json["ladder"]["rungs"];
-  EXPECT_EQ(keys(rungs[1]), "at_most routing name rank kept gains losses" + objectives);
-  EXPECT_EQ(keys(rungs[1]["gains"]), "uniformity_mean efficiency_mean");
-  EXPECT_EQ(keys(rungs[1]["losses"]), "uniformity_mean efficiency_mean");
-  EXPECT_TRUE(rungs[0]["gains"].is_null());
-  EXPECT_EQ(json["settings"]["ladder"].dump(), R"({"by":"cost","within":0.05})");
+  EXPECT_EQ(keys(json["tradeoff"]), "by within affordable floating_blocks knee steps");
+  EXPECT_EQ(keys(json["tradeoff"]["affordable"]), "routing name rank losses" + objectives);
+  const Json& steps = json["tradeoff"]["steps"];
+  EXPECT_EQ(keys(steps[1]), "at_most routing name rank kept gains losses" + objectives);
+  EXPECT_EQ(keys(steps[1]["gains"]), "uniformity_mean efficiency_mean");
+  EXPECT_EQ(keys(steps[1]["losses"]), "uniformity_mean efficiency_mean");
+  EXPECT_TRUE(steps[0]["gains"].is_null());
+  EXPECT_EQ(json["settings"]["tradeoff"].dump(), R"({"by":"cost","within":0.05})");
   EXPECT_EQ(keys(json["settings"]["prices"]),
             "unit sheath tube tip_bearing fixed_pulley movable_pulley block bar anchor fixed_end "
             "knot tendon_mm");
-  EXPECT_EQ(keys(json_of({"rank", "--catalog"})["ladder"]), keys(json["ladder"]));
+  EXPECT_EQ(keys(json_of({"rank", "--catalog"})["tradeoff"]), keys(json["tradeoff"]));
 }
 
 TEST(KeysOfTheBestWithAndWithoutBlocks, AreThePromisedOnes) {
-  EXPECT_TRUE(summary({"--parts", "full"})["ladder"]["floating_blocks"].is_null());
-  const Json best = summary()["ladder"]["floating_blocks"];
+  EXPECT_TRUE(summary({"--parts", "full"})["tradeoff"]["floating_blocks"].is_null());
+  const Json best = summary()["tradeoff"]["floating_blocks"];
   EXPECT_EQ(keys(best), "without with with_bars");
   for (const char* kind : {"without", "with", "with_bars"}) {
     EXPECT_EQ(keys(best[kind]), "routing name rank losses" + objectives + " moving_parts strands");
@@ -138,7 +138,7 @@ TEST(KeysOfUnmetConstraints, AreThePromisedOnes) {
   EXPECT_EQ(json["unmet"][0].dump(),
             R"({"constraint":"sheaths<=0","met_by_any":false,"nearest":{"below":null,"above":1.0},)"
             R"("nearest_with_the_others_met":{"below":null,"above":1.0}})");
-  EXPECT_TRUE(json["ladder"]["rungs"].empty());
+  EXPECT_TRUE(json["tradeoff"]["steps"].empty());
   EXPECT_TRUE(summary()["unmet"].empty());
 }
 

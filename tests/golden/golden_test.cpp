@@ -85,13 +85,13 @@ TEST(GoldenRank, WithWhatThePageShows) {
 
 TEST(GoldenSize, OfTwoRoutingsForTheBadSideOfTheirGoal) {
   expect_json(output_of({"size", "TR1", "TR7", "--vary", "sheath_angle=3..9", "--vary",
-                         "tip_angle=1..4", "--same", "tips", "--draws", "20", "--format", "json"}),
+                         "tip_angle=1..4", "--equal", "tips", "--draws", "20", "--format", "json"}),
               "size.json", fitted);
 }
 
 TEST(GoldenSize, OfAThumbThatPullsAsTwoFingers) {
   expect_json(output_of({"size", "M-1-P-2-P-3-M", "--target", "1=2,others=1", "--vary",
-                         "sheath_angle=1..12", "--same", "sheath_angle[2,3]", "--draws", "20",
+                         "sheath_angle=1..12", "--equal", "sheath_angle[2,3]", "--draws", "20",
                          "--format", "json"}),
               "size_target.json", fitted);
 }
@@ -113,7 +113,7 @@ TEST(GoldenCheck, OfTheShippedCatalogue) {
 }
 
 TEST(GoldenCatalogue, OfTheHands) {
-  expect_json(output_of({"catalogue", "--family", "hands", "--format", "json"}), "catalogue.json");
+  expect_json(output_of({"catalog", "--family", "hands", "--format", "json"}), "catalog.json");
 }
 
 TEST(GoldenCompare, OfReadingsWithAndWithoutMotorTension) {

@@ -19,7 +19,7 @@ TEST(KeysOfImport, AreThePromisedOnes) {
             "taken standstill speed_varies load_varies settling not_following slack no_direction "
             "incomplete copy spike too_few");
   EXPECT_EQ(keys(json["settings"]),
-            "least_time_s tolerance per_sweep reverse direction run routing held");
+            "min_duration_s tolerance readings_per_stroke reverse direction run routing held");
 }
 
 TEST(KeysOfAGuess, AreThePromisedOnes) {

@@ -100,7 +100,8 @@ TEST(KeysOfShow, HaveNullWhereThereIsNoNameOrNoNumber) {
 
 TEST(KeysOfRank, AreThePromisedOnes) {
   const Json json = json_of({"rank", "--catalog"});
-  EXPECT_EQ(keys(json), "designs settings ladder never_jams robust_first motor version result_id");
+  EXPECT_EQ(keys(json),
+            "designs settings tradeoff never_jams robust_first motor version result_id");
   EXPECT_EQ(keys(json["designs"][0]), "rank front routing name" + objectives + equivalent);
   EXPECT_EQ(keys(json["settings"]), common_settings);
   EXPECT_TRUE(json["settings"]["uncertainty"].is_null());
@@ -146,7 +147,7 @@ TEST(KeysOfRank, AddADistributionWithUncertainty) {
 TEST(KeysOfRank, AddTheMarginsOfTheFirstDesignIfAskedFor) {
   const Json json = json_of({"rank", "TR3", "TR7", "--margin"});
   EXPECT_EQ(keys(json),
-            "designs settings ladder never_jams robust_first motor margins version result_id");
+            "designs settings tradeoff never_jams robust_first motor margins version result_id");
   ASSERT_EQ(json["margins"].size(), 1U);
   EXPECT_EQ(json["margins"][0]["over"], "F-1-P-2-F");
   EXPECT_EQ(keys(json["margins"][0]), "over lead least_lead at");
@@ -157,7 +158,7 @@ TEST(KeysOfRank, AddWhatThePageShows) {
   const Json json = with_page({"rank", "TR5", "TR7", "--data", readings});
   EXPECT_EQ(
       keys(json),
-      "designs settings ladder never_jams robust_first motor best routings tension_distributions measured_data version result_id");
+      "designs settings tradeoff never_jams robust_first motor best routings tension_distributions measured_data version result_id");
   EXPECT_EQ(keys(json["best"][0]), "objective value count routings");
   EXPECT_EQ(keys(json["routings"][0]) + " result_id", keys(json_of({"show", "TR7"})));
   ASSERT_EQ(json["tension_distributions"].size(), 6U);  // two coefficients in three grasps
@@ -190,7 +191,7 @@ TEST(KeysOfSize, AreThePromisedOnes) {
   EXPECT_EQ(keys(design["sized"]), "goal nominal_goal finger_shares motor" + objectives);
   EXPECT_EQ(
       keys(json["settings"]),
-      "goal target_shares better robust vary same starts evaluations goal_grasps told_draws " +
+      "goal target_shares better robust vary equal starts evaluations goal_grasps told_draws " +
           evaluated_settings);
   EXPECT_EQ(keys(json["settings"]["vary"][0]), "dimension bounds");
 }

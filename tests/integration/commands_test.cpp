@@ -229,26 +229,26 @@ TEST(Help, MentionsEveryOption) {
       "--distinct-fingers");
   const Arguments ranking(
       "--grasps --objectives --score --uncertainty --draws --seed --threads --hardware "
-      "--model --format --ladder --within --cost --sweep --columns --text-width");
+      "--model --format --tradeoff --within --cost --sweep --columns --text-width");
   std::vector<std::pair<std::string, Arguments>> commands{
       {"show",
        {"routing", "--like", "--fingers", "--held", "--direction", "--svg", "--out", "--hardware",
         "--model", "--cost", "--format"}},
       {"rank",
        {"routing", "--catalog", "--family", "--margin", "--fingers", "--out", "--data",
-        "--distributions", "--map", "--unit", "--group", "--store", "--constraint", "--top"}},
+        "--distribution-mu", "--map", "--unit", "--group", "--store", "--constraint", "--top"}},
       {"explore",
        {"--tendons", "--constraint", "--shard", "--top", "--details", "--out", "--store",
         "--store-every", "--keep", "--target"}},
       {"count", {"--constraint", "--format"}},
       {"check", {"--family", "--svg", "--format"}},
-      {"catalogue", {"--family", "--fingers", "--out", "--format"}},
+      {"catalog", {"--family", "--fingers", "--out", "--format"}},
       {"compare",
        {"data", "--out", "--map", "--unit", "--group", "--hardware", "--model", "--format"}},
       {"diagnose",
        {"data", "--hardware", "--alpha", "--hold-out", "--seed", "--replicates", "--threads",
-        "--explore", "--out", "--save-model", "--map", "--unit", "--group", "--mounting-scatter",
-        "--as-readings", "--noise", "--exact", "--terms", "--format"}},
+        "--generated-routings", "--out", "--save-model", "--map", "--unit", "--group",
+        "--mounting-scatter", "--as-readings", "--noise", "--exact", "--laws", "--format"}},
       {"simulate",
        {"--routings",       "--grasps",      "--directions",  "--channels",     "--motor-tension",
         "--speed",          "--cycles",      "--temperature", "--sheath-angle", "--noise-relative",
@@ -297,7 +297,7 @@ TEST(Explore, GivesEveryDesignOfTheFrontItsDistribution) {
   }
 }
 
-TEST(Explore, ThatKeepsNothingIsNotPartial) {
+TEST(Explore, IsNotPartialThoughNoDesignIsKept) {
   const Explored explored("--constraint sheaths<=0 --uncertainty --draws 5");
   EXPECT_EQ(explored.result.exit_code, 1);
   EXPECT_FALSE(explored.summary()["partial"]);

@@ -1,4 +1,4 @@
-// From a ranking to a decision: ladder, prices, designs that are alike, constraints that nothing
+// From a ranking to a decision: tradeoff, prices, designs that are alike, constraints that nothing
 // meets, by the command.
 #include <gtest/gtest.h>
 
@@ -29,44 +29,45 @@ TEST(Decision, OfFiveFingersNamesTheFirstAndTheOneThatSomebodyWouldBuild) {
   EXPECT_TRUE(says(explored.result,
                    "Fewest sheaths within 2 % of it: SoftHand (M-1b-B-2b-B-3b-B-4b-B-5b-M): 2 "
                    "sheaths, uniformity 0.985 (-1.0 %), efficiency 0.321 (-0.6 %)\n"));
-  const Json ladder = explored.summary()["ladder"];
-  EXPECT_EQ(ladder["rungs"][0]["at_most"], 1);
-  EXPECT_EQ(ladder["rungs"][0]["routing"], "M-1b-B-2b-B-3b-B-4b-B-5b-F");
-  EXPECT_NEAR(ladder["rungs"][0]["kept"], 0.976, 5e-4);
-  EXPECT_EQ(ladder["affordable"]["sheaths"], 2);
+  const Json tradeoff = explored.summary()["tradeoff"];
+  EXPECT_EQ(tradeoff["steps"][0]["at_most"], 1);
+  EXPECT_EQ(tradeoff["steps"][0]["routing"], "M-1b-B-2b-B-3b-B-4b-B-5b-F");
+  EXPECT_NEAR(tradeoff["steps"][0]["kept"], 0.976, 5e-4);
+  EXPECT_EQ(tradeoff["affordable"]["sheaths"], 2);
 }
 
 TEST(Decision, FollowsTheLossThatOneWouldBear) {
   const Explored strict("--fingers 5 --within 0.5%");
-  EXPECT_EQ(strict.summary()["ladder"]["affordable"]["sheaths"], 5);
+  EXPECT_EQ(strict.summary()["tradeoff"]["affordable"]["sheaths"], 5);
   const Explored loose("--fingers 5 --within 3%");
-  EXPECT_EQ(loose.summary()["ladder"]["affordable"]["sheaths"], 1);
+  EXPECT_EQ(loose.summary()["tradeoff"]["affordable"]["sheaths"], 1);
 }
 
-TEST(LadderFile, HasTheRungsOfTheSummary) {
-  const Explored explored("--fingers 3 --ladder parts --top 1");
-  const Json rungs = explored.summary()["ladder"]["rungs"];
-  ASSERT_GT(rungs.size(), 2U);
+TEST(TradeoffFile, HasTheStepsOfTheSummary) {
+  const Explored explored("--fingers 3 --tradeoff parts --top 1");
+  const Json steps = explored.summary()["tradeoff"]["steps"];
+  ASSERT_GT(steps.size(), 2U);
   std::vector<std::string> expected;
-  for (const Json& rung : rungs) expected.push_back(rung["routing"]);
-  EXPECT_EQ(words(explored.file("ladder.csv")), expected);
-  EXPECT_TRUE(explored.file("ladder.csv").starts_with("ladder,at_most,routing,name,rank,kept,"));
+  for (const Json& step : steps) expected.push_back(step["routing"]);
+  EXPECT_EQ(words(explored.file("tradeoff.csv")), expected);
+  EXPECT_TRUE(
+      explored.file("tradeoff.csv").starts_with("tradeoff,at_most,routing,name,rank,kept,"));
 }
 
-TEST(LadderFile, IsTheSameForAnyNumberOfThreads) {
+TEST(TradeoffFile, IsTheSameForAnyNumberOfThreads) {
   const Explored one({"--fingers", "4", "--threads", "1", "--cost", prices});
   const Explored three({"--fingers", "4", "--threads", "3", "--cost", prices});
-  EXPECT_EQ(one.file("ladder.csv"), three.file("ladder.csv"));
+  EXPECT_EQ(one.file("tradeoff.csv"), three.file("tradeoff.csv"));
   EXPECT_EQ(without_times(one.file("summary.json")), without_times(three.file("summary.json")));
 }
 
 // TR1: a sheath, three tubes, a fixed end, five segments of 100 mm.
-TEST(Cost, IsAnObjectiveAConstraintAndALadder) {
+TEST(Cost, IsAnObjectiveAConstraintAndATradeoff) {
   const ProcessResult rank = reeve({"rank", "TR1", "TR7", "--cost", prices, "--objectives",
                                     "uniformity,cost", "--format", "json"});
   ASSERT_EQ(rank.exit_code, 0) << rank.err;
   const Json ranked = Json::parse(rank.out);
-  EXPECT_EQ(ranked["ladder"]["by"], "cost");
+  EXPECT_EQ(ranked["tradeoff"]["by"], "cost");
   for (const Json& design : ranked["designs"]) {
     EXPECT_EQ(design["front"], 1);
     if (design["name"] == "TR1") {
@@ -155,21 +156,21 @@ TEST(Constraints, ThatNothingMeetsTogetherSayWhatGivesWay) {
   EXPECT_TRUE(says(explored.result, "Of the designs that meet all but sheaths<=1, the least is 2"));
 }
 
-TEST(RankLadder, IsOfTheRoutingsThatAreGiven) {
+TEST(RankTradeoff, IsOfTheRoutingsThatAreGiven) {
   const ProcessResult result = reeve("rank --catalog");
   EXPECT_TRUE(says(result, "Best design for each number of sheaths\n"));
   EXPECT_TRUE(says(result, "No design within 2 % of it has fewer sheaths\n"));
   EXPECT_FALSE(says(reeve("rank TR1"), "Best:"));
   const TemporaryFolder folder;
   reeve({"rank", "--catalog", "--out", folder.path().string()});
-  EXPECT_EQ(words(read_text(folder.path() / "ladder.csv")),
+  EXPECT_EQ(words(read_text(folder.path() / "tradeoff.csv")),
             (std::vector<std::string>{"M-1-T-2-F", "F-1-P-2-F", "1-P-2-P-1"}));
 }
 
-TEST(ExplorationPage, HasTheLadder) {
+TEST(ExplorationPage, HasTheTradeoff) {
   const Explored explored("--fingers 2");
   const std::string page = explored.file("index.html");
-  EXPECT_TRUE(has(page, "<section id=\"ladder\">"));
+  EXPECT_TRUE(has(page, "<section id=\"tradeoff\">"));
   EXPECT_TRUE(has(page, "Fewest sheaths within 2 % of it"));
 }
 

@@ -94,7 +94,7 @@ TEST(Diagnose, OnABenchSpeaksOfNoGraspsAndRanksNoRoutings) {
   }
   const Json json = Json::parse(read_text(folder.path() / "diagnosis.json"));
   EXPECT_TRUE(json["ranking"].is_null());
-  EXPECT_TRUE(has(reeve({"diagnose", with_cause}).out, "Ranking of the catalogue"));
+  EXPECT_TRUE(has(reeve({"diagnose", with_cause}).out, "Ranking of the catalog"));
 }
 
 TEST(Diagnose, TakesAsManyReplicatesAsAlphaNeeds) {
@@ -201,8 +201,8 @@ TEST(Diagnose, GivesTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST(Diagnose, OffersGeneratedRoutingsIfAskedFor) {
-  const Json json = diagnosed(lines(), {"--explore"});
-  EXPECT_TRUE(json["settings"]["explore"]);
+  const Json json = diagnosed(lines(), {"--generated-routings"});
+  EXPECT_TRUE(json["settings"]["generated_routings"]);
   EXPECT_LE(json["next_measurement"]["width_expected"].get<double>(),
             1.01 * diagnosed(lines())["next_measurement"]["width_expected"].get<double>());
 }
@@ -227,7 +227,7 @@ TEST(Diagnose, OfOneConditionWorks) {
 }
 
 // No answer is not the answer that nothing is wrong.
-TEST(Diagnose, OfOneReadingSaysThatItIsTooFewAndExitsWithOne) {
+TEST(Diagnose, ExitsWithOneIfThereIsOneReading) {
   std::vector<std::string> rows = lines();
   rows.resize(3);
   const Json json = diagnosed(rows, {}, 1);
@@ -298,7 +298,7 @@ TEST(Diagnose, ClaimsNoGainOfAGraspThatOneRunAloneHas) {
   EXPECT_TRUE(cause["held_out"].is_null());
 }
 
-TEST(Diagnose, ThatIsStoppedWritesNothing) {
+TEST(Diagnose, WritesNothingWhenStopped) {
   const TemporaryFolder folder;
   ProcessOptions options{.directory = folder.path(),
                          .disturbance = Disturbance{SIGINT, after_it_catches(SIGINT, 100ms)}};

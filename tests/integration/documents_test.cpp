@@ -1,6 +1,5 @@
 // Documents say what the program does: the Python and Octave lines of docs/tables.md, run as they
-// stand there on what `reeve explore` wrote; the figures of docs/figures, drawn again; links, and
-// the options of docs/options.md.
+// stand there on what `reeve explore` wrote; the figures of docs/figures, drawn again; and links.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -234,40 +233,13 @@ TEST(DocumentLinks, LeadFromTheIndexToEveryPage) {
   }
 }
 
-std::set<std::string> matches(const std::string& text, const std::regex& pattern) {
-  std::set<std::string> found;
-  for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end; ++at) {
-    found.insert((*at)[1]);
-  }
-  return found;
-}
-
-TEST(TheOptionsDocument, NamesEverySubcommandAndEveryOption) {
-  const std::string document = read_text(fs::path(REEVE_SOURCE_DIR) / "docs" / "options.md");
-  const std::string help = reeve({"--help"}).out;
-  const std::set<std::string> subcommands =
-      matches(help.substr(help.find("Subcommands:")), std::regex(R"(\n  ([a-z]+) )"));
-  EXPECT_GE(subcommands.size(), 12U);
-  for (const std::string& subcommand : subcommands) {
-    EXPECT_TRUE(std::regex_search(document, std::regex("\n\\| `" + subcommand + "[ `]")))
-        << subcommand;
-    const std::set<std::string> options =
-        matches(reeve({subcommand, "--help"}).out, std::regex(R"(\n  (?:-\w,)?(--[a-z-]+))"));
-    EXPECT_GE(options.size(), 3U) << subcommand;
-    for (const std::string& option : options) {
-      if (option == "--help") continue;
-      EXPECT_TRUE(std::regex_search(document, std::regex("`" + option + "[ `]")))
-          << subcommand << ' ' << option;
-    }
-  }
-}
-
 std::size_t words_in(const fs::path& page) {
   std::istringstream in(read_text(page));
   return static_cast<std::size_t>(
       std::distance(std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()));
 }
 
+// docs/options.md is not among them: the program writes it, and nobody reads it from end to end.
 TEST(DocumentLengths, StayWithinWhatAReaderReads) {
   const fs::path root = REEVE_SOURCE_DIR;
   EXPECT_LE(words_in(root / "README.md"), 1200U);
@@ -276,9 +248,10 @@ TEST(DocumentLengths, StayWithinWhatAReaderReads) {
   EXPECT_LE(words_in(root / "docs" / "diagnosis.md"), 2500U);
   std::size_t all = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(root / "docs")) {
-    if (entry.path().extension() == ".md") all += words_in(entry.path());
+    const fs::path& page = entry.path();
+    if (page.extension() == ".md" && page.filename() != "options.md") all += words_in(page);
   }
-  EXPECT_LE(all, 25000U);
+  EXPECT_LE(all, 24000U);
 }
 
 TEST(TheCitation, AndTheChangelogAreOfThisVersion) {

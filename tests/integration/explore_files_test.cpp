@@ -19,13 +19,13 @@ TEST(ExploreFiles, AreTheseAndNothingElse) {
   const Explored explored("--fingers 2");
   EXPECT_EQ(explored.result.exit_code, 0);
   EXPECT_EQ(explored.result.err, "");
-  EXPECT_EQ(
-      explored.files(),
-      (Arguments("designs.csv figures index.html ladder.csv pareto.csv sample.csv summary.json")));
-  EXPECT_TRUE(
-      has(explored.result.out,
-          "Written: index.html, designs.csv, pareto.csv, sample.csv, ladder.csv, summary.json and "
-          "figures in out\n"));
+  EXPECT_EQ(explored.files(),
+            (Arguments(
+                "designs.csv figures index.html pareto.csv sample.csv summary.json tradeoff.csv")));
+  EXPECT_TRUE(has(
+      explored.result.out,
+      "Written: index.html, designs.csv, pareto.csv, sample.csv, tradeoff.csv, summary.json and "
+      "figures in out\n"));
 }
 
 TEST(ExploreFiles, ReplaceThoseOfAnEarlierRun) {

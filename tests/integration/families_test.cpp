@@ -83,7 +83,7 @@ TEST(ShowOfAMechanism, TakesItsOwnHardwareUnlessAnotherIsGiven) {
   // Its word is nobody's own.
   EXPECT_FALSE(json_of({"show", "M-B-1x"}).contains("own_hardware"));
   const std::string text = reeve("show PulleyTurn").out;
-  EXPECT_TRUE(has(text, "With its own hardware, from the catalogue"));
+  EXPECT_TRUE(has(text, "With its own hardware, from the catalog"));
 }
 
 TEST(ShowOfAMechanism, HasItsNameThoughAnotherHasItsWord) {
@@ -102,7 +102,7 @@ std::map<std::string, int> mechanisms_by_family() {
 
 TEST(CountsInDocuments, AreThoseOfTheCheck) {
   const std::filesystem::path root = REEVE_SOURCE_DIR;
-  const std::string document = read_text(root / "docs" / "catalogue.md");
+  const std::string document = read_text(root / "docs" / "catalog.md");
   const std::string readme = read_text(root / "README.md");
   const auto expect = [](const std::string& text, const std::string& part) {
     EXPECT_TRUE(has(text, part)) << part;

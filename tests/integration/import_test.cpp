@@ -92,13 +92,14 @@ TEST(Diagnose, TakesATimeSeriesForReadingsIfToldTo) {
 TEST(Import, WritesReadingsThatSayWhereTheyComeFrom) {
   const TemporaryFolder folder;
   const std::string readings = (folder.path() / "readings.csv").string();
-  const ProcessResult result = reeve({"import", golden_log, "-o", readings, "--per-sweep", "2"});
+  const ProcessResult result =
+      reeve({"import", golden_log, "-o", readings, "--readings-per-stroke", "2"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string csv = read_text(readings);
   EXPECT_EQ(csv.find("# steady readings out of a logger's time series, by reeve "), 0U);
   EXPECT_TRUE(has(csv, "\n# simulated: a carriage goes to and fro, two mountings\n"));
   // But not where to: the same readings are the same file.
-  EXPECT_TRUE(has(csv, "\n# command: reeve import " + golden_log + " --per-sweep 2\n"));
+  EXPECT_TRUE(has(csv, "\n# command: reeve import " + golden_log + " --readings-per-stroke 2\n"));
   EXPECT_TRUE(
       has(csv,
           "\nrun,routing,held,direction,motor_tension_N,speed_mm_s,T1_N,T2_N,T3_N,T4_N,"
@@ -122,7 +123,7 @@ TEST(Import, OfAMeasuredLogDoesNotSayThatItIsSimulated) {
   }
 }
 
-TEST(Import, PlotsWhatItTookAndWhyItLeftOutTheRest) {
+TEST(Import, PlotsReadingsAndWhyTheRestIsLeftOut) {
   const TemporaryFolder folder;
   const std::string plot = (folder.path() / "log.svg").string();
   const Json json =
@@ -187,7 +188,7 @@ TEST(Import, ReadsALogInOtherSpellingsAlike) {
   EXPECT_EQ(found["readings"][0]["tensions"], expected["readings"][0]["tensions"]);
 }
 
-TEST(Import, IsToldWhatTheLogDoesNotSay) {
+TEST(Import, TakesLabelsThatTheLogLacksFromOptions) {
   const TemporaryFolder folder;
   RigPlan plan;
   plan.strokes = 1;
@@ -207,7 +208,7 @@ TEST(Import, IsToldWhatTheLogDoesNotSay) {
 }
 
 // The answer is no, and says why; there is no file without readings.
-TEST(Import, OfALogWithoutASteadyStretchIsANo) {
+TEST(Import, ExitsWithOneIfNothingIsSteady) {
   const TemporaryFolder folder;
   const std::string log =
       folder.write("still.csv", "t,position_mm,motor_tension_N,T1_N\n0,1,20,6\n1,1,20,6\n")

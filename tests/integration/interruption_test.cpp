@@ -44,9 +44,9 @@ TEST_P(StoppingSignal, EndsAnExplorationWithWholeFilesThatSayPartial) {
   EXPECT_EQ(explored.result.exit_code, 3);
   EXPECT_EQ(explored.result.err, "");
   EXPECT_TRUE(has(explored.result.out, "\nPARTIAL: "));
-  EXPECT_EQ(
-      explored.files(),
-      (Arguments("designs.csv figures index.html ladder.csv pareto.csv sample.csv summary.json")));
+  EXPECT_EQ(explored.files(),
+            (Arguments(
+                "designs.csv figures index.html pareto.csv sample.csv summary.json tradeoff.csv")));
 
   const Json summary = explored.summary();
   EXPECT_TRUE(summary["partial"]);
@@ -82,7 +82,7 @@ ProcessOptions hung_up_twice(std::chrono::milliseconds apart) {
 }
 
 // The kernel and a shell each hang up when a terminal is closed.
-TEST(HangUp, TwiceAtOnceIsOne) {
+TEST(HangUp, TwiceAtOnceCountsOnce) {
   const Explored explored(long_work, hung_up_twice(1ms));
   EXPECT_EQ(explored.result.signal, 0);
   EXPECT_EQ(explored.result.exit_code, 3);
@@ -254,7 +254,8 @@ TEST(MixedFolder, IsKnownByTheIdsOfItsFiles) {
   const Arguments size{"size",  "--from", two.out().string(), "--vary", "tip_angle=1..4",
                        "--top", "1",      "--nominal"};
   EXPECT_EQ(reeve(size).exit_code, 0);
-  for (const char* name : {"designs.csv", "pareto.csv", "sample.csv", "ladder.csv", "index.html"}) {
+  for (const char* name :
+       {"designs.csv", "pareto.csv", "sample.csv", "tradeoff.csv", "index.html"}) {
     SCOPED_TRACE(name);
     const std::string own = two.file(name);
     two.folder.write(std::string("out/") + name, three.file(name));
@@ -266,7 +267,7 @@ TEST(MixedFolder, IsKnownByTheIdsOfItsFiles) {
 }
 
 // Whatever decides what is found, and nothing else.
-TEST(ExplorationId, IsThatOfTheQuestion) {
+TEST(ExplorationId, DependsOnWhatDecidesTheDesignsAlone) {
   const auto id = [](const Arguments& arguments) {
     return Explored(arguments).summary()["exploration"].get<std::string>();
   };
@@ -277,7 +278,7 @@ TEST(ExplorationId, IsThatOfTheQuestion) {
   for (const Arguments& other :
        {Arguments("--fingers 3"), Arguments("--top 999"), Arguments("--shard 1/2"),
         Arguments("--grasps none"), Arguments("--constraint jams<=9"),
-        Arguments("--uncertainty --draws 2"), Arguments("--ladder parts"),
+        Arguments("--uncertainty --draws 2"), Arguments("--tradeoff parts"),
         Arguments{"--hardware", REEVE_CATALOG_DIR "/hardware/example.toml"}}) {
     EXPECT_NE(id(other), plain) << other[0];
   }

@@ -62,7 +62,7 @@ TEST_F(Launched, TheOthersKeepQuiet) {
 }
 
 // After a while, in which the first one would have said it, and all would have been ended.
-TEST_F(Launched, TheOthersSayAtLastWhatTheFirstDoesNot) {
+TEST_F(Launched, OthersReportErrorsThatTheFirstDoesNotHave) {
   const auto start = std::chrono::steady_clock::now();
   const ProcessResult result =
       run("explore --nonsense", {{"OMPI_COMM_WORLD_SIZE", "2"}, {"OMPI_COMM_WORLD_RANK", "1"}});
@@ -74,7 +74,7 @@ TEST_F(Launched, TheOthersSayAtLastWhatTheFirstDoesNot) {
 }
 
 // On a machine where it was built without MPI, while the first one has it: that one would wait.
-TEST_F(Launched, OneThatCannotReachTheFirstSaysWhichAndWhy) {
+TEST_F(Launched, AProcessThatCannotReachTheFirstSaysWhy) {
   const ProcessResult result =
       run("explore --out out", {{"OMPI_COMM_WORLD_SIZE", "3"}, {"OMPI_COMM_WORLD_RANK", "2"}});
   EXPECT_EQ(result.exit_code, 3);

@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
     Of, OutOfMemory,
     ::testing::Values(
         Starved{"Show", {"show", "TR5", "--out", "out"}},
-        Starved{"Rank", {"rank", "TR1", "TR5", "--distributions", "0.18", "--out", "out"}},
+        Starved{"Rank", {"rank", "TR1", "TR5", "--distribution-mu", "0.18", "--out", "out"}},
         Starved{"Explore", {"explore", "--parts", "full", "--threads", "2", "--out", "out"}},
         Starved{"Diagnose", {"diagnose", readings, "--threads", "2", "--out", "out"}}),
     [](const auto& tested) { return std::string(tested.param.name); });

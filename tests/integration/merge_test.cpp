@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
         MergedCase{"AScore", {"--fingers", "3", "--score", "authors", "--top", "10"}},
         MergedCase{"Blocks",
                    {"--fingers", "3", "--parts", "all", "--cost",
-                    REEVE_CATALOG_DIR "/prices/example.toml", "--ladder", "cost", "--top", "10"}},
+                    REEVE_CATALOG_DIR "/prices/example.toml", "--tradeoff", "cost", "--top", "10"}},
         MergedCase{"DistinctFingersOfAHand",
                    {"--fingers", "3", "--distinct-fingers", "--tips", "bearing", "--hardware",
                     REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml", "--top", "12"}},
@@ -117,7 +117,7 @@ TEST_F(Merging, PrintsWhatTheWholePrints) {
   EXPECT_EQ(without_times(result.out), without_times(whole.result.out));
 }
 
-TEST_F(Merging, TakesNoHalf) {
+TEST_F(Merging, RefusesAnIncompleteSetOfShards) {
   const Arguments arguments("--fingers 3");
   for (const int index : {1, 2, 3}) explore_shard(arguments, index, 3);
   expect_bad({1, 3}, "shard 2/3 is missing");
@@ -162,7 +162,7 @@ TEST_F(Merging, RefusesAShardThatWasStopped) {
   EXPECT_TRUE(has(result.err, "s1/shard.json: shard 1/2 was stopped after "));
 }
 
-TEST_F(Merging, RefusesWhatIsNoShardOrHalfOfOne) {
+TEST_F(Merging, RefusesAFileThatIsNotAWholeShard) {
   for (const int index : {1, 2}) explore_shard({}, index, 2);
   run("explore --out s3", folder_.path());
   expect_bad({1, 3},
@@ -228,7 +228,7 @@ TEST_F(Merging, DoesNotDependOnHowShardsWereShownAndNamed) {
   }
 }
 
-TEST_F(Merging, TakesNoNameForNoFolder) {
+TEST_F(Merging, RefusesAnEmptyName) {
   explore_shard({"--fingers", "2"}, 1, 1);
   const ProcessResult result = run("merge '' --out .", folder_.path() / "s1");
   EXPECT_EQ(result.exit_code, 2);
@@ -246,7 +246,7 @@ TEST_F(Merging, LeavesAShardsFileOutOfAWholeExploration) {
 }
 
 // How near others come is for the whole to say: to know it, all that is left out would be made.
-TEST_F(Merging, AShardThatConstraintsOnPartsLeaveNothingOfSaysSo) {
+TEST_F(Merging, SaysThatConstraintsLeaveAShardEmpty) {
   const ProcessResult result =
       run("explore --fingers 4 --parts full --constraint sheaths<=1 --shard 5/5", folder_.path());
   EXPECT_EQ(result.exit_code, 1) << result.err;

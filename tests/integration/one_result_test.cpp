@@ -31,8 +31,8 @@ std::vector<Rewritten> rewritten() {
   return {
       {"Show", {"show", "TR5", "--held", "1"}, {"show", "TR7"}, "routing.json"},
       {"Rank",
-       {"rank", "TR1", "TR5", "--distributions", "0.18", "--sweep", "tube_mu=0.1..0.2"},
-       {"rank", "TR1", "TR7", "--distributions", "0.18"},
+       {"rank", "TR1", "TR5", "--distribution-mu", "0.18", "--sweep", "tube_mu=0.1..0.2"},
+       {"rank", "TR1", "TR7", "--distribution-mu", "0.18"},
        "ranking.json"},
       {"Size",
        {"size", "TR5", "--vary", "sheath_angle=3..9", "--nominal"},

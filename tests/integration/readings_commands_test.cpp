@@ -104,7 +104,7 @@ TEST(Simulate, GivesEachSettingToTheCauseBeforeIt) {
   }
 }
 
-TEST(Simulate, WritesWhatCompareReadsAndFindsToBeTheModelWithoutNoise) {
+TEST(Simulate, WithoutNoiseAgreesWithTheModelInCompare) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "a.csv").string();
   simulate({"--noise-relative", "0", "--noise-absolute", "0", "--channels", "all", "--directions",

@@ -70,7 +70,7 @@ TEST(Size, SavesWhatWasGivenOrSizedAndNothingElse) {
 
 TEST(Size, TakesItsBoundsFromTheHardwareFileAndGivesThemBack) {
   Sized sized({});
-  sized.folder.write("h.toml", "[vary]\ntip_angle = [1, 4]\nsame = [\"tips\"]\n");
+  sized.folder.write("h.toml", "[vary]\ntip_angle = [1, 4]\nequal = [\"tips\"]\n");
   sized.run("TR1 --hardware h.toml --nominal --save-hardware sized.toml");
   ASSERT_EQ(sized.result.exit_code, 0) << sized.result.err;
   EXPECT_TRUE(has(sized.result.out, "tip_angle[1,2]"));
@@ -127,7 +127,7 @@ TEST(Size, SaysWhereItsMotorIsNotEnoughForWhatWasSized) {
   const std::string hand = REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml";
   const auto out = [&](const char* arms) {
     return Sized({"M-1b-T-2b-B-3b-M", "--hardware", hand, "--goal", "motor_force", "--vary", arms,
-                  "--same", "arms", "--nominal", "--starts", "1"})
+                  "--equal", "arms", "--nominal", "--starts", "1"})
         .result.out;
   };
   const std::string longer = out("arm_mm=10..14");

@@ -45,7 +45,7 @@ class DamagedStore : public Stored {
 
 // The record of each shard says nothing of them, and yet they would be listed.
 TEST_F(DamagedStore, WithRowsOfAShardThatHasNotBegun) {
-  for (const char* table : {"constraints", "known", "archive", "ladder", "sample"}) {
+  for (const char* table : {"constraints", "known", "archive", "tradeoff", "sample"}) {
     SCOPED_TRACE(table);
     const std::string name = table;
     const std::string key = name == "sample" ? "place" : "number";

@@ -145,7 +145,7 @@ TEST_F(Stored, RefusesAnotherVersionOfTheProgram) {
   EXPECT_TRUE(has(ranked.err, "s.db: it was made by another version of reeve"));
 }
 
-TEST_F(Stored, RefusesWhatIsNoStore) {
+TEST_F(Stored, RefusesAFileThatIsNotAStore) {
   folder_.write("s.db", "rank,front,routing\n1,1,M-1-T-2-F\n");
   const std::string start = "--store: s.db: ";
   expect_bad(explore({}), start + "it is no SQLite database (file is not a database)");
@@ -169,7 +169,7 @@ TEST_F(Stored, RefusesWhatIsNoStore) {
   for (const std::string other : {"2", "7"}) {
     execute(store(), "PRAGMA user_version = " + other);
     expect_bad(explore({}), start + "it is a store of version " + other +
-                                "; expected version 5, which this program reads");
+                                "; expected version 6, which this program reads");
   }
   expect_bad(run("explore --store no/s.db"),
              "--store: no/s.db: there is no folder 'no'; expected one that is there");
@@ -188,7 +188,7 @@ TEST_F(Stored, RefusesAPlaceThatIsNoFile) {
              "no.db: there is no such file; expected what reeve explore stored");
 }
 
-TEST_F(Stored, RefusesWhatSomebodyChanged) {
+TEST_F(Stored, RefusesAStoreThatSomebodyChanged) {
   EXPECT_EQ(explore({}).exit_code, 0);
   execute(store(), "UPDATE shards SET total = 1");
   expect_bad(explore({}), "--store: s.db: its counts are not those of its settings");
@@ -203,7 +203,7 @@ TEST_F(Stored, RefusesWhatSomebodyChanged) {
 }
 
 // Values and words that might as well be there, rows that are gone.
-TEST_F(Stored, RefusesWhatIsNotAsItWasSaved) {
+TEST_F(Stored, RefusesRowsThatDifferFromWhatWasSaved) {
   EXPECT_EQ(explore("--constraint jams<=1").exit_code, 0);
   fs::copy_file(store(), folder_.path() / "whole.db");
   const std::string message =
@@ -212,7 +212,7 @@ TEST_F(Stored, RefusesWhatIsNotAsItWasSaved) {
        {"UPDATE shards SET total = 1000", "UPDATE shards SET seconds = -5",
         "UPDATE archive SET uniformity_mean = 0.5 WHERE number = 1",
         "UPDATE archive SET routing = 'M-1-F+M-2-F' WHERE number = 0",
-        "DELETE FROM archive WHERE number = 3", "DELETE FROM ladder WHERE number = 0",
+        "DELETE FROM archive WHERE number = 3", "DELETE FROM tradeoff WHERE number = 0",
         "UPDATE sample SET place = place + 500", "UPDATE constraints SET failures = 0",
         "UPDATE known SET dominated_by = 99 WHERE number = 2"}) {
     SCOPED_TRACE(sql);
@@ -251,7 +251,7 @@ TEST_F(Stored, RefusesOtherSettingsThanItWasSavedWith) {
   const std::string rows_of_another =
       "ATTACH '" + (folder_.path() / "other.db").string() + "' AS other;";
   std::string all_tables;
-  for (const char* table : {"shards", "archive", "ladder", "known", "constraints", "sample"}) {
+  for (const char* table : {"shards", "archive", "tradeoff", "known", "constraints", "sample"}) {
     const std::string name = table;
     all_tables +=
         "DELETE FROM " + name + "; INSERT INTO " + name + " SELECT * FROM other." + name + ";";

@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
                       AskedCase{"Elsewhere", {"--constraint", "pulleys<=0"}}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
-TEST_F(Stored, IsExactWhereTheLeftOutAreLeftOutAgain) {
+TEST_F(Stored, IsExactWhereTheSameDesignsAreLeftOutAgain) {
   const auto exact = [&](Arguments asked) {
     asked.insert(asked.begin(), {"rank", "--store", "s.db", "--format", "json"});
     return Json::parse(run(asked).out)["exact"].get<bool>();
@@ -184,7 +184,7 @@ TEST_F(Stored, SaysThatDesignsHaveNoCostOrMotorForce) {
                  "--constraint 'motor_force<=90'" + without_hand);
 }
 
-// A rung of the ladder that others equal is among those that are counted and not kept.
+// A step of the trade-off that others equal is among those that are counted and not kept.
 TEST_F(Stored, CountsTheEqualsThatWereLeftOutOnce) {
   const Arguments arguments("--fingers 3 --parts paper --objectives knots --top 10");
   ASSERT_EQ(explore(arguments).exit_code, 0);

@@ -153,15 +153,15 @@ TEST(Sweep, IsTheSameInCsvAndJsonAndOnThePage) {
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "figures" / "sweep-score.svg"));
 }
 
-TEST(Sweep, OfAnExplorationIsOfTheFirstTheLadderAndTheFront) {
+TEST(Sweep, OfAnExplorationIsOfTheFirstTheTradeoffAndTheFront) {
   const Explored explored("--sweep tube_mu=0.05..0.2");
   const Json summary = explored.summary();
   std::vector<std::string> words;
   for (const Json& design : summary["sweep"]["designs"]) words.push_back(design["routing"]);
   EXPECT_EQ(words[0], summary["top"][0]["routing"]);
   EXPECT_LE(words.size(), 8U);
-  for (const Json& rung : summary["ladder"]["rungs"]) {
-    EXPECT_NE(std::find(words.begin(), words.end(), rung["routing"]), words.end());
+  for (const Json& step : summary["tradeoff"]["steps"]) {
+    EXPECT_NE(std::find(words.begin(), words.end(), step["routing"]), words.end());
   }
   EXPECT_TRUE(has(explored.file("sweep.csv"), "\ntube_mu,0.2,"));
   EXPECT_FALSE(summary["partial"]);

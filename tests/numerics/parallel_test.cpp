@@ -146,7 +146,7 @@ TEST(Parallel, OneOfManyExceptionsComesThrough) {
                std::runtime_error);
 }
 
-TEST(Parallel, OfManyExceptionsThatOfTheFirstBlockComesThrough) {
+TEST(Parallel, TheExceptionOfTheFirstBlockComesThrough) {
   for (const int threads : thread_counts) {
     Workers workers(threads);
     for (int round = 0; round < 20; ++round) {
@@ -169,7 +169,7 @@ TEST(Parallel, OfManyExceptionsThatOfTheFirstBlockComesThrough) {
 #if defined(__SANITIZE_ADDRESS__)
 
 // Nearly all helpers of so short a call are still queued at its end.
-TEST(Parallel, HelpersThatCameTooLateAreNoLeak) {
+TEST(Parallel, LateHelpersDoNotLeak) {
   for (int round = 0; round < 50; ++round) {
     Workers(2).for_each_block(2, 1, [](const IndexBlock&) {});
   }

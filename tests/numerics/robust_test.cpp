@@ -11,7 +11,7 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-TEST(Middle, IsThatOfTheNumbersThatAreThere) {
+TEST(Median, IgnoresMissingNumbers) {
   EXPECT_EQ(median({3, 1, missing, 2}), 2);
   EXPECT_EQ(median({4, 1, 1e9, 2}), 3);
   EXPECT_TRUE(std::isnan(median({missing})));
@@ -24,7 +24,7 @@ TEST(Quantile, LiesBetweenTwoNumbersByTheShare) {
 }
 
 // 0.6745 is the middle of the absolute values of standard normal numbers.
-TEST(Deviation, IsThatOfNormalNumbersWithThatMiddle) {
+TEST(Deviation, IsScaledToNormalNumbers) {
   EXPECT_DOUBLE_EQ(mad_about_zero({-0.6745, 0.1, 2 * 0.6745, 0.6745, -99}), 1);
   EXPECT_EQ(mad_about_zero({}), 0);
 }

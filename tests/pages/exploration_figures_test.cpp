@@ -239,7 +239,7 @@ TEST(ParetoFigure, MarksWhatIsAdvised) {
   ASSERT_EQ(rings.size(), 2U);
   EXPECT_EQ(rings[0].title.substr(0, rings[0].title.find('\n')), "M-1b-B-2b-F");
   EXPECT_NEAR(panel.x_of(rings[0]),
-              value(report.ladder.affordable->ranked.design.values, Objective::uniformity_mean),
+              value(report.tradeoff.affordable->ranked.design.values, Objective::uniformity_mean),
               1e-4);
 }
 

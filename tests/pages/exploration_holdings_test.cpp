@@ -44,16 +44,16 @@ ListedDesign unlisted(std::size_t number) {
   return design;
 }
 
-// The answer and the ladder name designs beyond the list: the page holds and draws
+// The answer and the trade-off name designs beyond the list: the page holds and draws
 // them all the same.
 TEST(NamedDesigns, AreHeldAndDrawnWhereTheListEndsBeforeThem) {
   ExploreReport report = testing::large(200);
-  ListedLadder& ladder = report.ladder;
-  ladder.affordable = unlisted(1000);
-  ladder.with_bars = unlisted(1001);
-  ladder.never_jams = unlisted(1002);
-  ladder.choice = {unlisted(1003), unlisted(1004)};
-  ladder.rungs = {unlisted(1000), unlisted(1005)};
+  ListedTradeoff& tradeoff = report.tradeoff;
+  tradeoff.affordable = unlisted(1000);
+  tradeoff.with_bars = unlisted(1001);
+  tradeoff.never_jams = unlisted(1002);
+  tradeoff.choice = {unlisted(1003), unlisted(1004)};
+  tradeoff.steps = {unlisted(1000), unlisted(1005)};
   report.robust_first = RobustFirst{{unlisted(1006)}, {unlisted(1006)}};
   ExplorationView view = testing::view(report);
   view.details = 0;

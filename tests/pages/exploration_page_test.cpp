@@ -50,7 +50,7 @@ TEST(ExplorationPage, HasDetailsOfAllDesignsOfASmallList) {
   EXPECT_LT(page.html.size(), 1'300'000U);
 }
 
-TEST(ExplorationPage, HasDetailsOfTheBestTheLadderAndTheKnownAndSaysSo) {
+TEST(ExplorationPage, HasDetailsOfTheBestTheTradeoffAndTheKnownAndSaysSo) {
   const ExploreReport report = explored(small_options());
   ExplorationView view = testing::view(report);
   view.details = 5;
@@ -87,17 +87,17 @@ TEST(ExplorationPage, BeginsWithTheFirstAndTheAffordableDesignBesideEachOther) {
   const std::size_t answer = html.find("Best: 1-P-2-P-1: 4 sheaths");
   const std::size_t first = html.find("id=\"slot-first-title\"");
   const std::size_t affordable = html.find("id=\"slot-affordable-title\"");
-  const std::size_t ladder = html.find("<section id=\"ladder\">");
+  const std::size_t tradeoff = html.find("<section id=\"tradeoff\">");
   ASSERT_NE(affordable, std::string::npos);
   EXPECT_LT(answer, first);
   EXPECT_LT(first, affordable);
-  EXPECT_LT(affordable, ladder);
-  EXPECT_LT(ladder, html.find("id=\"plots\""));
+  EXPECT_LT(affordable, tradeoff);
+  EXPECT_LT(tradeoff, html.find("id=\"plots\""));
   EXPECT_NE(html.find("<h2>Fewest sheaths within 2 %</h2>\n<p class=\"word\">M-1b-B-2b-F</p>"),
             std::string::npos);
-  const Json ladder_data = page_data(html)["ladder"];
-  EXPECT_EQ(ladder_data["affordable"], "M-1b-B-2b-F");
-  EXPECT_EQ(ladder_data["knee"], "F-1b-P-2b-F");
+  const Json tradeoff_data = page_data(html)["tradeoff"];
+  EXPECT_EQ(tradeoff_data["affordable"], "M-1b-B-2b-F");
+  EXPECT_EQ(tradeoff_data["knee"], "F-1b-P-2b-F");
 }
 
 TEST(ExplorationPage, HasALineForDesignsThatAreAlike) {
@@ -350,8 +350,8 @@ TEST(PageDesigns, NameTheDesignThatStandsForThem) {
   EXPECT_GT(equivalent, 5U);
 }
 
-// A rung may lie beyond the list, and the page draws it all the same.
-TEST(PageDesigns, HoldTheLadder) {
+// A step may lie beyond the list, and the page draws it all the same.
+TEST(PageDesigns, HoldTheTradeoff) {
   ExploreOptions options = small_options();
   options.top = 1;
   options.references.clear();
@@ -361,7 +361,7 @@ TEST(PageDesigns, HoldTheLadder) {
   for (const ListedDesign& design : listed_designs(report)) {
     expected.insert(design.ranked.design.word);
   }
-  for (const ListedDesign& rung : report.ladder.rungs) expected.insert(rung.ranked.design.word);
+  for (const ListedDesign& step : report.tradeoff.steps) expected.insert(step.ranked.design.word);
   std::set<std::string> words;
   for (const PageDesign& design : page_designs(report, 1'000'000)) words.insert(design.word);
   EXPECT_EQ(words, expected);

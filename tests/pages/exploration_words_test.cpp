@@ -49,11 +49,11 @@ TEST(ExplorationAnswer, CountsThePartsOfTheFirst) {
 
 TEST(ExplorationAnswer, AdvisesADesignOnceIfItIsAffordableAndTheKnee) {
   ExploreReport report = explored(small_options());
-  report.ladder.affordable = report.ladder.rungs[0];
+  report.tradeoff.affordable = report.tradeoff.steps[0];
   for (const auto& [knee, labels] :
        {std::pair<std::size_t, std::vector<std::string>>{0, {"within 2 %, knee"}},
         {1, {"within 2 %", "knee"}}}) {
-    report.ladder.ladder.knee = knee;
+    report.tradeoff.tradeoff.knee = knee;
     std::vector<std::string> advised;
     for (const auto& design : pages::advised_designs(report)) advised.push_back(design.label);
     EXPECT_EQ(advised, labels);
@@ -206,11 +206,11 @@ TEST(ExplorationWords, NameTheFirstOnlyWhereItStaysFirst) {
 }
 
 // Of the whole, no part of it.
-TEST(ExplorationWords, WarnOfNothingThatIsNotSo) {
+TEST(ExplorationWords, WarnOnlyWhereItApplies) {
   EXPECT_EQ(joined(exploration_words(explored(small_options())).caveats), "");
 }
 
-TEST(ExplorationWords, HaveNothingToSayOfAnEmptyList) {
+TEST(ExplorationWords, AreNoneForAnEmptyList) {
   ExploreOptions options = small_options();
   options.constraints.push_back(parse_constraint("sheaths<=0"));
   const ExploreReport report = explored(options);

@@ -56,7 +56,7 @@ TEST(FigureFiles, RemoveNothingOutsideTheirFolder) {
   EXPECT_TRUE(fs::exists(outside));
 }
 
-TEST(ResultFiles, HaveOneStampAndTakeAwayWhatThisResultHasNot) {
+TEST(ResultFiles, HaveOneStampAndReplaceThoseOfAnEarlierResult) {
   const TemporaryFolder folder;
   const fs::path& out = folder.path();
   write_result(out, {{{"a.csv", "x\n1\n"}, {"b.csv", "y\n2\n"}}, std::nullopt, {}}, stamp);
@@ -75,7 +75,7 @@ TEST(ResultFiles, HaveOneStampAndTakeAwayWhatThisResultHasNot) {
   EXPECT_EQ(read_text(out / "a.json"), "{}\n");
 }
 
-TEST(ResultFiles, LeaveWhatSomebodyElsePutThere) {
+TEST(ResultFiles, LeaveFilesOfOthersAlone) {
   const TemporaryFolder folder;
   folder.write("b.csv", "mine\n3\n");
   write_result(folder.path(), {{{"b.csv", std::nullopt}}, std::nullopt, {}}, stamp);

@@ -28,7 +28,7 @@ TEST(FigureNames, AreTheNameOrTheWordAndTheGrasp) {
   EXPECT_EQ(schematic_name("TR6", Grasp{}), "TR6-held-none");
 }
 
-TEST(FigureNames, AreNeverAlikeWhateverTheCaseAndWhateverIsLeftOfThem) {
+TEST(FigureNames, AreUniqueWhateverTheCaseAndTheCharactersReplaced) {
   const Stems stems = file_stems({{"glove", "M-1-F"},
                                   {"Glove", "M-2-F"},
                                   {"gl/ve", "a"},

@@ -180,7 +180,7 @@ TEST(FigureNine, HasAMarkForEachValue) {
 }
 
 TEST(FigureNine, TakesOtherRoutingsAndCoefficients) {
-  const Ranked ranked({"M-1-P-2-P-3-M", "1-P-2-P-3-P-1", "--distributions", "0.05"});
+  const Ranked ranked({"M-1-P-2-P-3-M", "1-P-2-P-3-P-1", "--distribution-mu", "0.05"});
   const std::vector<ReadPanel> panels = ranked.chart("figure-9");
   ASSERT_EQ(panels.size(), 2U);
   const Shares model = model_shares(panels, 0, 2);
@@ -198,7 +198,7 @@ TEST(FigureNine, DrawsTheModelAsItIsToo) {
   const TemporaryFolder folder;
   const std::string hardware =
       folder.write("rough.toml", "[tube]\nmu = 0.05\n[sheath]\nmu = 0.3\n").string();
-  const Ranked ranked({"TR1", "TR4", "--hardware", hardware, "--distributions", "0.18,model"});
+  const Ranked ranked({"TR1", "TR4", "--hardware", hardware, "--distribution-mu", "0.18,model"});
   const std::vector<ReadPanel> panels = ranked.chart("figure-9");
   ASSERT_EQ(panels.size(), 4U);
   const auto tr1 = model_shares(panels, 1, 2).at("TR1");

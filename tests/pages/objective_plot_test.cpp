@@ -9,7 +9,7 @@
 namespace reeve {
 namespace {
 
-TEST(ObjectiveAxis, OfAShareEndsAtNothingAndAtTheWhole) {
+TEST(ObjectiveAxis, OfAShareRunsFromZeroToOne) {
   const chart::Axis axis = objective_axis(Objective::efficiency_worst);
   EXPECT_EQ(axis.least, 0);
   EXPECT_EQ(axis.greatest, 1);
@@ -39,7 +39,7 @@ TEST(ObjectiveAxis, OfARatioOfForcesHasNoEnd) {
 
 // A friction force may be greater than all strand tensions together, and in a score an objective of
 // which less is better counts negative.
-TEST(ObjectiveAxis, LeavesRoomBelowNothing) {
+TEST(ObjectiveAxis, LeavesRoomBelowZero) {
   EXPECT_EQ(objective_axis(Objective::reliability).least, std::nullopt);
   EXPECT_EQ(objective_axis(Objective::reliability).greatest, 10);
   EXPECT_EQ(objective_axis(Objective::score).least, std::nullopt);

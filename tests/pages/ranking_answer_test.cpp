@@ -41,7 +41,7 @@ TEST(RankingAnswer, NamesOthersOnlyByObjectivesThatDoNotPutTheFirstFirst) {
 }
 
 // The first stands in the sentence before.
-TEST(RankingAnswer, SaysWhatTheLadderDecidesAfterTheFirst) {
+TEST(RankingAnswer, SaysWhatTheTradeoffDecidesAfterTheFirst) {
   const Json decision = ranking_answer(tr7_and_tr1(), both)["decision"];
   EXPECT_EQ(decision, Json({"It never jams unless all fingers are held.",
                             "No design within 2 % of it has fewer sheaths."}));

@@ -70,7 +70,7 @@ TEST(RankingPage, LiesBesideTheUsualResult) {
   EXPECT_EQ(read_text(folder.path() / "ranking.json"), printed.out);
 }
 
-TEST(RankingPage, SaysWhoIsFirstAndByWhatOthersAre) {
+TEST(RankingPage, NamesTheBestDesignAndThoseBestByOneObjective) {
   const std::string& html = catalogue().html;
   EXPECT_NE(html.find("TR7 comes first, with mean uniformity 0.998"), std::string::npos);
   EXPECT_NE(html.find("<li>force transmission ("), std::string::npos);
@@ -146,20 +146,20 @@ TEST(RankingPage, SaysWhatDecidesWithinAFrontAndWhatMayBeAskedFor) {
   EXPECT_NE(answer.find("Among them the score decides."), std::string::npos);
 }
 
-// As the page of an exploration has it, from the same ladder as the terminal's.
-TEST(RankingPage, HasTheLadder) {
+// As the page of an exploration has it, from the same trade-off as the terminal's.
+TEST(RankingPage, HasTheTradeoff) {
   const Ranked ranked({"TR3", "TR7", "M-1b-B-2b-M", "M-1b-B-2b-F"});
-  EXPECT_NE(ranked.html.find("<section id=\"ladder\">"), std::string::npos);
+  EXPECT_NE(ranked.html.find("<section id=\"tradeoff\">"), std::string::npos);
   EXPECT_NE(ranked.html.find("<p class=\"decision\">Fewest sheaths within 2 % of it: "
                              "M-1b-B-2b-F: 1 sheath"),
             std::string::npos);
-  for (const Json& rung : ranked.json["ladder"]["rungs"]) {
-    EXPECT_NE(ranked.html.find("<td class=\"left short\">" + rung["routing"].get<std::string>() +
+  for (const Json& step : ranked.json["tradeoff"]["steps"]) {
+    EXPECT_NE(ranked.html.find("<td class=\"left short\">" + step["routing"].get<std::string>() +
                                "</td>"),
               std::string::npos);
   }
-  EXPECT_GE(ranked.json["ladder"]["rungs"].size(), 2U);
-  EXPECT_EQ(Ranked({"TR1"}).html.find("id=\"ladder\""), std::string::npos);
+  EXPECT_GE(ranked.json["tradeoff"]["steps"].size(), 2U);
+  EXPECT_EQ(Ranked({"TR1"}).html.find("id=\"tradeoff\""), std::string::npos);
 }
 
 // Orange squares are the front on every page.

@@ -40,7 +40,7 @@ TEST(Template, JsonCannotCloseItsScript) {
   EXPECT_EQ(Json::parse(text), json);
 }
 
-TEST(Template, SaysWhichTemplateThereIsNot) {
+TEST(Template, NamesAMissingTemplate) {
   EXPECT_THROW(render("nothing.mustache", {}), std::out_of_range);
 }
 

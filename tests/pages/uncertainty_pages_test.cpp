@@ -195,7 +195,7 @@ TEST(SweepFigure, HasNoRibbonWithoutDraws) {
 }
 
 // From 1 to 2 high, a gap, then alone: closed areas whose corners are those of the data.
-TEST(Ribbons, GoThereAlongWhatIsHighAndBackAlongWhatIsLow) {
+TEST(Ribbons, RunAlongTheUpperBoundAndBackAlongTheLower) {
   const double missing = std::numeric_limits<double>::quiet_NaN();
   chart::Panel panel;
   panel.x.reaches = {0, 4};

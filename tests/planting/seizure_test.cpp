@@ -118,7 +118,7 @@ TEST(Seizure, WritesPiecesAsWords) {
   EXPECT_EQ(cut_at("M-1-P-2-F", "c-T3").word, "M-1-P-F");
 }
 
-TEST(Seizure, RefusesWhatItCannotCut) {
+TEST(Seizure, RefusesContactsThatItCannotCut) {
   EXPECT_THROW(cut_at("M-1-T-2-F", "T1-T3"), std::invalid_argument);
   EXPECT_THROW(cut_at("F-1-P-2-F", "T1-T2"), std::invalid_argument);
   EXPECT_THROW(cut_at("M-1-F+M-2-F", "a-T1"), std::invalid_argument);

@@ -105,7 +105,7 @@ TEST(ARowOfUnits, MustAgreeWithTheNames) {
             "ozf), and line 2 says 'rpm'");
 }
 
-TEST(AUnitThatNobodySays, IsAssumedAndNoted) {
+TEST(AMissingUnit, IsAssumedAndNoted) {
   const MeasuredData data = read_data("run,routing,T1,T2_N\nA,TR5,4,3\n");
   EXPECT_EQ(note_text(data.notes, NoteKind::column_names),
             "columns are read so: 'T1' as T1_N (no unit is said: N is assumed)");

@@ -48,7 +48,7 @@ TEST(UnitsOffByAThousand, AreSuspected) {
 }
 
 // What is above zero is noise, too, of a sensor that reads nothing.
-TEST(UnitsOfASensorThatReadsNothing, AreNotAskedFor) {
+TEST(TheUnitOfADeadSensor, IsNotAskedFor) {
   EXPECT_EQ(unit_notes("A,TR5,20,0.03\nA,TR5,25,0.02\nA,TR5,22,0.03\n"), 1U);
   EXPECT_EQ(unit_notes("A,TR5,20,0.03\nA,TR5,25,0.02\nA,TR5,22,-0.03\n"), 0U);
   EXPECT_EQ(unit_notes("A,TR5,20,0.03\nA,TR5,25,0.02\nA,TR5,22,0.03\nA,TR5,22,-0.03\n"), 1U);
@@ -85,7 +85,7 @@ TEST(ColumnsAndCommentsThatAreNoReadings, AreNoted) {
 }
 
 // It gives rows their order, and `import` itself writes it.
-TEST(AClockOfReadings, IsNoNews) {
+TEST(AClockOfReadings, IsNotReported) {
   const std::string header = "run,routing,humidity,time_s,T1_N\n";
   const MeasuredData data = read_data(header + "A,TR5,1,0.5,4\nA,TR5,1,1.5,5\n");
   EXPECT_EQ(count_notes(data.notes, NoteKind::covariate), 1U);

@@ -47,7 +47,7 @@ TEST(Pulling, IsDoubtedWhereStrandsReadMoreThanTheMotor) {
   EXPECT_NE(suspicion(10, 11, 3, 3), "");
 }
 
-TEST(Pulling, IsMendedByWhatMakesTheTensionsPossible) {
+TEST(Pulling, SuggestsChangesThatMakeTheTensionsPossible) {
   // Released: the first strand has more than the motor, the second most.
   EXPECT_EQ(suspicion(10, 20, 35, 10),
             "This would mend it: direction = release; or motor_tension_N and T2_N exchanged; or "

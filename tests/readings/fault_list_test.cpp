@@ -11,7 +11,7 @@
 namespace reeve::testing {
 namespace {
 
-TEST(AllFaults, AreToldAtOnceByTheirLines) {
+TEST(AllFaults, AreListedTogetherByTheirLines) {
   EXPECT_EQ(
       data_error("run,routing,direction,T1_N,T1,speed,x\n"
                  "A,TR5,push,x,1,-1,1\n"
@@ -45,7 +45,7 @@ TEST(AllFaults, EndWhereTheFileBreaksOff) {
   EXPECT_EQ(data_error(header + "A,TR5,1,3\n" + broken), "d.csv:3" + fault);
 }
 
-TEST(AllFaults, AreCountedWhereTheyAreTooManyToTell) {
+TEST(AllFaults, AreCountedWhereTooManyToList) {
   std::string text = "run,routing,T1_N,T2_N\n";
   for (int i = 0; i < 300; ++i) text += i % 3 == 0 ? "A,TR5,x,1\n" : "A,TR5,1,y\n";
   text += "A,TR5,1,\"2\n";

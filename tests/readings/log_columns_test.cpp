@@ -123,7 +123,7 @@ TEST(LogColumns, NoteAClockThatIsTooFastForACarriage) {
 }
 
 // Else readings would lack it, and nobody would know.
-TEST(LogColumns, ThatWouldBeTensionsInAnotherUnitAreNotPassedOverInSilence) {
+TEST(LogColumns, ThatWouldBeTensionsInAnotherUnitAreReported) {
   const std::string units = "(N, mN, cN, daN, kN, gf, kgf, lbf, ozf)";
   EXPECT_EQ(note_text(sample("t,T1_N,T2_N,T3 [V]", "0,1,2,3").notes, NoteKind::covariate),
             "column 'T3 [V]' has the name of a tension and no unit of force " + units +
@@ -163,7 +163,7 @@ TEST(LogColumns, MayHaveNoNameAndAreNotRead) {
 }
 
 // Without a motion a log has other readings, and nobody would know.
-TEST(LogColumns, ThatMayBeTheMotionAreNotPassedOverInSilence) {
+TEST(LogColumns, ThatMayBeTheMotionAreReported) {
   EXPECT_EQ(log_error("t,Carriage position,T1_N,T2_N\n0,1,2,3\n"),
             "log.csv:1: column 2 'Carriage position': expected the carriage's position with a unit "
             "of length (mm, cm, m, µm, in), its speed with one of speed (mm/s, cm/s, m/s, mm/min, "
@@ -211,7 +211,7 @@ TEST(LogColumns, OfOneMeaningAreRefused) {
             "'position_mm' has it");
 }
 
-TEST(BadLog, IsToldAllItsFaultsAtOnce) {
+TEST(BadLog, HasAllItsFaultsListedAtOnce) {
   EXPECT_EQ(log_error("t,T1_N,T2_N,T0_N\n0,1,x,1\n,2,3,4\n2,1\n3,1e300,1,1\n"),
             "log.csv: 5 faults:\n"
             "  log.csv:1: column 4 'T0_N': expected a tension written as T1_N (strand), Ta_N "

@@ -117,7 +117,7 @@ TEST(BadLog, IsNamedWithLineColumnAndWhatWasExpected) {
 }
 
 // Not once for each of a thousand rows.
-TEST(BadLog, IsToldOnceThatItsClockShowsDatesOrTimesOfDay) {
+TEST(BadLog, HasItsClockOfDatesOrTimesOfDayNamedOnce) {
   const std::string expected =
       "expected the time of each sample as a number, such as its seconds: dates and times of day "
       "are refused (in a spreadsheet =(A2-A$2)*86400 makes seconds of those in column A)";
@@ -157,7 +157,7 @@ TEST(Recordings, NeedAClockThatRunsForward) {
 
 using Values = std::vector<double>;
 
-TEST(LoggedZeros, AreTakenOffTheSamplesBelowAndAreNone) {
+TEST(LoggedZeros, AreSubtractedFromTheSamplesBelow) {
   const LoggedSeries series = log_of(
       "t,run,position_mm,temperature_C,motor_tension_N,T1_N\n"
       "0,A,5,20,30,10\n"

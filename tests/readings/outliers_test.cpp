@@ -161,7 +161,7 @@ TEST(OrdinaryReadings, HaveNoOutliers) {
 }
 
 // That is a cause: a sensor's gain in one run, or most of a row.
-TEST(WhatARunDoesOtherwise, IsNoOutlier) {
+TEST(ADifferenceBetweenRuns, IsNoOutlier) {
   expect_no_outlier([](auto& rows) {
     for (std::size_t i = 8; i < 16; ++i) rows[i].tension_N[1] *= 20;
   });
@@ -171,7 +171,7 @@ TEST(WhatARunDoesOtherwise, IsNoOutlier) {
   });
 }
 
-TEST(MoreThanSlipsCanBe, IsNotedAndKept) {
+TEST(TooManyOutliers, AreNotedAndKept) {
   auto rows = plain_rows();
   for (std::size_t i = 0; i < rows.size(); i += 6) rows[i].tension_N[i % 4] *= 30;
   const MeasuredData data = read_data(file_of(rows));
@@ -181,7 +181,7 @@ TEST(MoreThanSlipsCanBe, IsNotedAndKept) {
             "; and 1 more. That is more than slips are, so nothing is left out");
 }
 
-TEST(FewRows, HaveNoOthers) {
+TEST(FewRows, HaveNoOutliers) {
   auto rows = plain_rows();
   rows.resize(4);
   rows[0].tension_N[0] = 1e6;

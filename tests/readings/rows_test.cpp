@@ -43,7 +43,7 @@ TEST(ALoggersFile, IsReadWhateverItsFormLooksLike) {
   }
 }
 
-TEST(ALoggersFile, MayWriteInManyWaysThatANumberIsMissing) {
+TEST(ALoggersFile, MayMarkMissingNumbersInManyWays) {
   for (const char* missing : {"", "-", "--", "NaN", "nan", "NA", "n/a", "#N/A", "NULL"}) {
     const std::string cell(missing);
     const MeasuredData data =

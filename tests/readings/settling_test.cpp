@@ -44,7 +44,7 @@ TEST(RatioNoise, MayBeBoth) {
   EXPECT_NEAR(noise.at(20), 0.403, 0.04);
 }
 
-TEST(RatioNoise, OfNothingIsNone) {
+TEST(RatioNoise, IsZeroWithoutReadings) {
   EXPECT_EQ(ratio_noise({}).at(7), 0);
   EXPECT_EQ(ratio_noise({{3, NAN}}).at(7), 0);
 }

@@ -49,7 +49,7 @@ TEST(SteadyReadings, OfAnEvenLoadAreOneForEachStroke) {
 TEST(SteadyReadings, OfASweepStandForLoadsOfTheirOwn) {
   const std::vector<RigSample> samples = rig_log({}, one_run);
   SteadyOptions options;
-  options.per_sweep = 3;
+  options.readings_per_stroke = 3;
   const SteadyReadings found = steady_readings(series_of(samples), options);
   ASSERT_EQ(found.readings.size(), 24U);
   for (std::size_t i = 1; i < 3; ++i) {

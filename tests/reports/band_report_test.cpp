@@ -35,7 +35,7 @@ ListedDesign drawn_design(const std::string& word, std::size_t rank, std::size_t
   return design;
 }
 
-TEST(BandText, IsTheMedianAndWhatLiesAboutIt) {
+TEST(BandText, IsTheMedianWithItsBand) {
   EXPECT_EQ(band_text({0.9854, 0.9612, 0.9931}, 3), "0.985 (0.961–0.993)");
   EXPECT_EQ(band_text({-1.2, -3.51, 0.35}, 2), "-1.20 (-3.51 to 0.35)");
   // No wider than the last decimal.
@@ -219,7 +219,7 @@ SweptDesigns two_swept() {
   return swept;
 }
 
-TEST(SweepReport, SaysWhoComesFirstWhere) {
+TEST(SweepReport, NamesTheBestDesignOfEachStretch) {
   const std::vector<std::string> sentences = lead_sentences(two_swept());
   ASSERT_EQ(sentences.size(), 2U);
   EXPECT_EQ(sentences[0], "A comes first from 1 to 1.75");
@@ -260,7 +260,7 @@ TEST(SweepCsv, HasARowForEachDesignAndValueAndBandsWhereTheyAre) {
                       "sheath_angle,1,A,,1,1,3,2,4\n"));
 }
 
-TEST(SweepReport, IsNothingOfNoDesigns) {
+TEST(SweepReport, IsEmptyWithoutDesigns) {
   const SweptDesigns nothing;
   EXPECT_TRUE(sweep_sections(nothing).empty());
   EXPECT_EQ(sweep_csv(nothing), "coefficient,at,routing,name,place\n");

@@ -1,4 +1,4 @@
-// The words and tables of a decision, on ladders made by hand.
+// The words and tables of a decision, on trade-offs made by hand.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -8,7 +8,7 @@
 #include "core/notation.hpp"
 #include "reports/document/document.hpp"
 #include "reports/exploration/decision_words.hpp"
-#include "reports/exploration/ladder_report.hpp"
+#include "reports/exploration/tradeoff_report.hpp"
 #include "tests/support/has.hpp"
 
 namespace reeve {
@@ -32,16 +32,16 @@ ListedDesign listed(const Design& design, const std::string& name, std::size_t r
   return entry;
 }
 
-ListedLadder three_rungs(Objective by = Objective::sheaths) {
+ListedTradeoff three_steps(Objective by = Objective::sheaths) {
   const std::vector<Design> designs{design("A", 1, 0.5, 10), design("B", 2, 0.792, 12.5),
                                     design("C", 4, 0.8, 30)};
-  ListedLadder ladder;
-  ladder.ladder =
-      search::ladder(designs, designs[2], Order{Objective::uniformity_mean}, {by, 0.02});
-  ladder.rungs = {listed(designs[0], "", 0), listed(designs[1], "Two", 7),
-                  listed(designs[2], "", 1)};
-  ladder.affordable = ladder.rungs[1];
-  return ladder;
+  ListedTradeoff tradeoff;
+  tradeoff.tradeoff =
+      search::tradeoff(designs, designs[2], Order{Objective::uniformity_mean}, {by, 0.02});
+  tradeoff.steps = {listed(designs[0], "", 0), listed(designs[1], "Two", 7),
+                    listed(designs[2], "", 1)};
+  tradeoff.affordable = tradeoff.steps[1];
+  return tradeoff;
 }
 
 std::string lines_text(const std::vector<DocumentLine>& lines) {
@@ -49,11 +49,11 @@ std::string lines_text(const std::vector<DocumentLine>& lines) {
 }
 
 TEST(AnswerLines, NameTheFirstTheAffordableAndTheKnee) {
-  const ListedLadder ladder = three_rungs();
-  ListedDesign first = ladder.rungs[2];
+  const ListedTradeoff tradeoff = three_steps();
+  ListedDesign first = tradeoff.steps[2];
   first.routing = parse_routing("M-1-F");
   first.equivalent = {"D", "E"};
-  EXPECT_EQ(lines_text(answer_lines({first}, ladder)),
+  EXPECT_EQ(lines_text(answer_lines({first}, tradeoff)),
             "Best: C: 4 sheaths, uniformity 0.800 (2 equivalent variants)\n"
             "It never jams unless all fingers are held\n"
             "Fewest sheaths within 2 % of it: Two (B): 2 sheaths, uniformity 0.792 (-1.0 %)\n"
@@ -61,31 +61,31 @@ TEST(AnswerLines, NameTheFirstTheAffordableAndTheKnee) {
 }
 
 TEST(AnswerLines, SayWhereTheFirstJamsAndWhatNeverJammingCosts) {
-  ListedLadder ladder = three_rungs();
-  ListedDesign first = ladder.rungs[2];
+  ListedTradeoff tradeoff = three_steps();
+  ListedDesign first = tradeoff.steps[2];
   first.routing = parse_routing("M-1-F+M-2-F");
   first.smallest_jams = {hold({1}), hold({2})};
   value(first.ranked.design.values, Objective::jams_all) = 2;
-  EXPECT_TRUE(testing::has(lines_text(answer_lines({first}, ladder)),
+  EXPECT_TRUE(testing::has(lines_text(answer_lines({first}, tradeoff)),
                            "\nIt jams when finger 1 is held, or finger 2 is held (2 of 3 grasps); "
                            "every listed design jams in some grasp\n"));
-  ladder.never_jams = ladder.rungs[1];
-  EXPECT_TRUE(testing::has(lines_text(answer_lines({first}, ladder)),
+  tradeoff.never_jams = tradeoff.steps[1];
+  EXPECT_TRUE(testing::has(lines_text(answer_lines({first}, tradeoff)),
                            "(2 of 3 grasps); best design that never jams: Two (B): 2 sheaths, "
                            "uniformity 0.792 (-1.0 %)\n"));
 }
 
 // The two lines replace the line on the fewest sheaths, which is one of the two designs.
 TEST(AnswerLines, NameTheBestWithAndWithoutFloatingPulleysAndWhatTheWearerCarries) {
-  ListedLadder ladder = three_rungs();
-  ListedDesign without = ladder.rungs[0];
+  ListedTradeoff tradeoff = three_steps();
+  ListedDesign without = tradeoff.steps[0];
   without.routing = parse_routing("1-P-2-P-1");
   without.smallest_jams = {hold({1, 2})};
-  ListedDesign with = ladder.rungs[1];
+  ListedDesign with = tradeoff.steps[1];
   with.routing = parse_routing("M-Y1+1x-Y1-2x");
-  ladder.ladder.choice = {without.ranked.design, with.ranked.design};
-  ladder.choice = {without, with};
-  ListedDesign first = ladder.rungs[2];
+  tradeoff.tradeoff.choice = {without.ranked.design, with.ranked.design};
+  tradeoff.choice = {without, with};
+  ListedDesign first = tradeoff.steps[2];
   first.routing = parse_routing("M-1-F");
   const std::string expected =
       "It never jams unless all fingers are held\n"
@@ -93,9 +93,9 @@ TEST(AnswerLines, NameTheBestWithAndWithoutFloatingPulleysAndWhatTheWearerCarrie
       "grasps; at the hand no moving part, 4 strands\n"
       "With floating blocks, fewest sheaths within 2 % of the best: Two (B): 2 sheaths, "
       "uniformity 0.792 (-1.0 %); at the hand 1 moving part, 2 strands";
-  EXPECT_TRUE(testing::has(lines_text(answer_lines({first}, ladder)), expected + "\nKnee"));
-  ladder.with_bars = listed(design("M-W1+1x-W1-2x", 2, 0.8, 10), "Bars", 0);
-  EXPECT_TRUE(testing::has(lines_text(answer_lines({first}, ladder)),
+  EXPECT_TRUE(testing::has(lines_text(answer_lines({first}, tradeoff)), expected + "\nKnee"));
+  tradeoff.with_bars = listed(design("M-W1+1x-W1-2x", 2, 0.8, 10), "Bars", 0);
+  EXPECT_TRUE(testing::has(lines_text(answer_lines({first}, tradeoff)),
                            expected + "; with rigid bars in place of its pulleys it is Bars "
                                       "(M-W1+1x-W1-2x): 2 sheaths, uniformity 0.800\nKnee"));
 }
@@ -107,87 +107,87 @@ TEST(AnswerLines, GiveNoNumberOfWhatIsInfinite) {
     made.values[static_cast<std::size_t>(Objective::motor_force)] =
         made.word == "A" ? std::numeric_limits<double>::infinity() : 40;
   }
-  ListedLadder ladder;
-  ladder.ladder =
-      search::ladder(designs, designs[1], Order{Objective::motor_force}, {Objective::sheaths, 1});
-  ladder.rungs = {listed(designs[0], "", 2), listed(designs[1], "", 1)};
-  ladder.ladder.affordable = designs[0];
-  ladder.affordable = ladder.rungs[0];
-  const std::string lines = lines_text(answer_lines({ladder.rungs[1]}, ladder));
+  ListedTradeoff tradeoff;
+  tradeoff.tradeoff =
+      search::tradeoff(designs, designs[1], Order{Objective::motor_force}, {Objective::sheaths, 1});
+  tradeoff.steps = {listed(designs[0], "", 2), listed(designs[1], "", 1)};
+  tradeoff.tradeoff.affordable = designs[0];
+  tradeoff.affordable = tradeoff.steps[0];
+  const std::string lines = lines_text(answer_lines({tradeoff.steps[1]}, tradeoff));
   EXPECT_TRUE(testing::has(lines, "A: 1 sheath, nominal motor infinite\n"));
 }
 
 TEST(AnswerLines, SayTheCostInItsUnit) {
-  ListedLadder ladder = three_rungs(Objective::cost);
-  ladder.cost_unit = "EUR";
-  const std::string said = lines_text(answer_lines({ladder.rungs[2]}, ladder));
+  ListedTradeoff tradeoff = three_steps(Objective::cost);
+  tradeoff.cost_unit = "EUR";
+  const std::string said = lines_text(answer_lines({tradeoff.steps[2]}, tradeoff));
   EXPECT_TRUE(testing::has(said, "Best: C: cost 30.00 EUR, uniformity"));
   EXPECT_TRUE(testing::has(said, "Least cost within 2 % of it: Two (B): cost 12.50 EUR, "));
 }
 
-ListedLadder thousandth(ListedLadder ladder) {
+ListedTradeoff thousandth(ListedTradeoff tradeoff) {
   const auto scale = [](ObjectiveValues& values) {
     values[static_cast<std::size_t>(Objective::cost)] /= 1000;
   };
-  for (Rung& rung : ladder.ladder.rungs) {
-    rung.at_most /= 1000;
-    scale(rung.design.values);
+  for (TradeoffStep& step : tradeoff.tradeoff.steps) {
+    step.at_most /= 1000;
+    scale(step.design.values);
   }
-  for (ListedDesign& rung : ladder.rungs) scale(rung.ranked.design.values);
-  scale(ladder.ladder.first.values);
-  scale(ladder.ladder.affordable->values);
-  ladder.cost_unit = "kg";
-  return ladder;
+  for (ListedDesign& step : tradeoff.steps) scale(step.ranked.design.values);
+  scale(tradeoff.tradeoff.first.values);
+  scale(tradeoff.tradeoff.affordable->values);
+  tradeoff.cost_unit = "kg";
+  return tradeoff;
 }
 
 TEST(AnswerLines, SayACostOfGramsInKilograms) {
-  const ListedLadder ladder = thousandth(three_rungs(Objective::cost));
-  const std::string said = lines_text(answer_lines({ladder.rungs[2]}, ladder));
+  const ListedTradeoff tradeoff = thousandth(three_steps(Objective::cost));
+  const std::string said = lines_text(answer_lines({tradeoff.steps[2]}, tradeoff));
   EXPECT_TRUE(testing::has(said, "Best: C: cost 0.03 kg, "));
   EXPECT_TRUE(testing::has(said, "Two (B): cost 0.0125 kg, "));
   EXPECT_TRUE(testing::has(said, "Two (B), cost 0.0125 kg\n"));
 }
 
-TEST(LadderTable, HasACostOfGramsInKilograms) {
+TEST(TradeoffTable, HasACostOfGramsInKilograms) {
   const std::string table =
-      text(Document{{ladder_section(thousandth(three_rungs(Objective::cost)))}});
+      text(Document{{tradeoff_section(thousandth(three_steps(Objective::cost)))}});
   for (const char* cost : {"\n   0.0100  ", "\n   0.0125  ", "\n   0.0300  "}) {
     EXPECT_TRUE(testing::has(table, cost));
   }
 }
 
 TEST(AnswerLines, SayThatNothingIsCheaperWithinTheLoss) {
-  ListedLadder ladder = three_rungs();
-  ladder.affordable.reset();
-  ladder.ladder.affordable.reset();
-  EXPECT_TRUE(testing::has(lines_text(answer_lines({ladder.rungs[2]}, ladder)),
+  ListedTradeoff tradeoff = three_steps();
+  tradeoff.affordable.reset();
+  tradeoff.tradeoff.affordable.reset();
+  EXPECT_TRUE(testing::has(lines_text(answer_lines({tradeoff.steps[2]}, tradeoff)),
                            "No design within 2 % of it has fewer sheaths\n"));
-  EXPECT_TRUE(answer_lines({}, ladder).empty());
+  EXPECT_TRUE(answer_lines({}, tradeoff).empty());
 }
 
 TEST(AnswerLines, HaveUnits) {
-  ListedLadder ladder = three_rungs();
-  ladder.ladder.objectives = {Objective::motor_force, Objective::travel, Objective::cost};
-  ladder.cost_unit = "EUR";
-  ObjectiveValues& values = ladder.ladder.first.values;
+  ListedTradeoff tradeoff = three_steps();
+  tradeoff.tradeoff.objectives = {Objective::motor_force, Objective::travel, Objective::cost};
+  tradeoff.cost_unit = "EUR";
+  ObjectiveValues& values = tradeoff.tradeoff.first.values;
   values[static_cast<std::size_t>(Objective::motor_force)] = 65.8;
   values[static_cast<std::size_t>(Objective::travel)] = 2;
   values[static_cast<std::size_t>(Objective::cost)] = 44.4;
-  ladder.rungs[2].ranked.design.values = values;
-  EXPECT_TRUE(testing::has(lines_text(answer_lines({ladder.rungs[2]}, ladder)),
+  tradeoff.steps[2].ranked.design.values = values;
+  EXPECT_TRUE(testing::has(lines_text(answer_lines({tradeoff.steps[2]}, tradeoff)),
                            "motor 65.8 N, travel 2.00, cost 44.40 EUR\n"));
-  EXPECT_TRUE(testing::has(text(Document{{ladder_section(ladder)}}), "  nominal motor (N)  "));
+  EXPECT_TRUE(testing::has(text(Document{{tradeoff_section(tradeoff)}}), "  nominal motor (N)  "));
 }
 
 TEST(AlikeLines, NameAFewAndCountTheRest) {
-  ListedDesign design = three_rungs().rungs[2];
+  ListedDesign design = three_steps().steps[2];
   design.equivalent = {"D", "E", "F", "G", "H", "I"};
   EXPECT_EQ(lines_text(equivalent_lines({design})),
             "Equivalent variants of rank 1, with other bearings: D, E, F, G and 2 more\n");
 }
 
-TEST(LadderTable, HasGainsOverTheRungBeforeAndMarks) {
-  EXPECT_EQ(text(Document{{ladder_section(three_rungs())}}),
+TEST(TradeoffTable, HasGainsOverTheStepBeforeAndMarks) {
+  EXPECT_EQ(text(Document{{tradeoff_section(three_steps())}}),
             "Best design for each number of sheaths\n"
             "sheaths  name  routing  uniformity     gain     kept\n"
             "      1  -     A             0.500            62.5 %\n"
@@ -195,28 +195,28 @@ TEST(LadderTable, HasGainsOverTheRungBeforeAndMarks) {
             "      4  -     C             0.800   +1.0 %  100.0 %  best\n");
 }
 
-TEST(LadderTable, HasNoGainBelowNothingOfWhatDoesNotChange) {
-  ListedLadder ladder = three_rungs();
-  ladder.ladder.objectives = {Objective::travel};
-  for (Rung& rung : ladder.ladder.rungs) {
-    rung.design.values[static_cast<std::size_t>(Objective::travel)] = 2;
+TEST(TradeoffTable, HasGainZeroWhereNothingChanges) {
+  ListedTradeoff tradeoff = three_steps();
+  tradeoff.tradeoff.objectives = {Objective::travel};
+  for (TradeoffStep& step : tradeoff.tradeoff.steps) {
+    step.design.values[static_cast<std::size_t>(Objective::travel)] = 2;
   }
-  const std::string table = text(Document{{ladder_section(ladder)}});
+  const std::string table = text(Document{{tradeoff_section(tradeoff)}});
   EXPECT_TRUE(testing::has(table, " +0.0 %"));
   EXPECT_FALSE(testing::has(table, "-0.0"));
-  EXPECT_EQ(ladder_json(ladder)["rungs"][1]["gains"].dump(), R"({"travel":0.0})");
-  EXPECT_FALSE(testing::has(ladder_csv(ladder), "-0"));
+  EXPECT_EQ(tradeoff_json(tradeoff)["steps"][1]["gains"].dump(), R"({"travel":0.0})");
+  EXPECT_FALSE(testing::has(tradeoff_csv(tradeoff), "-0"));
 }
 
-TEST(LadderTable, IsNoneOfOneRung) {
-  ListedLadder ladder = three_rungs();
-  ladder.ladder.rungs.resize(1);
-  ladder.rungs.resize(1);
-  EXPECT_FALSE(ladder_section(ladder).table);
+TEST(TradeoffTable, IsLeftOutWithOneStep) {
+  ListedTradeoff tradeoff = three_steps();
+  tradeoff.tradeoff.steps.resize(1);
+  tradeoff.steps.resize(1);
+  EXPECT_FALSE(tradeoff_section(tradeoff).table);
 }
 
-TEST(LadderCsv, HasARowForEachRungWithGainsAndLosses) {
-  const std::string csv = ladder_csv(three_rungs(), "partial: half");
+TEST(TradeoffCsv, HasARowForEachStepWithGainsAndLosses) {
+  const std::string csv = tradeoff_csv(three_steps(), "partial: half");
   EXPECT_TRUE(
       csv.starts_with("# partial: half\nladder,at_most,routing,name,rank,kept,marks,"
                       "uniformity_mean,"));
@@ -226,15 +226,15 @@ TEST(LadderCsv, HasARowForEachRungWithGainsAndLosses) {
   EXPECT_TRUE(testing::has(csv, "\nsheaths,2,B,Two,7,0.99,\"knee, within 2 %\",0.792,"));
 }
 
-TEST(LadderJson, NamesTheAffordableDesignAndTheKnee) {
-  const Json json = ladder_json(three_rungs());
+TEST(TradeoffJson, NamesTheAffordableDesignAndTheKnee) {
+  const Json json = tradeoff_json(three_steps());
   EXPECT_EQ(json["by"], "sheaths");
   EXPECT_EQ(json["affordable"]["routing"], "B");
   EXPECT_EQ(json["affordable"]["rank"], 7);
   EXPECT_NEAR(json["affordable"]["losses"]["uniformity_mean"], 0.01, 1e-12);
   EXPECT_EQ(json["knee"], 2);
-  EXPECT_TRUE(json["rungs"][0]["rank"].is_null());
-  EXPECT_NEAR(json["rungs"][1]["gains"]["uniformity_mean"], 0.292, 1e-12);
+  EXPECT_TRUE(json["steps"][0]["rank"].is_null());
+  EXPECT_NEAR(json["steps"][1]["gains"]["uniformity_mean"], 0.292, 1e-12);
 }
 
 std::string infeasible_text(const std::vector<std::string>& constraints,

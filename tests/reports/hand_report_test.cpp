@@ -42,7 +42,7 @@ Json motor_of(const std::string& word, double stroke_mm, int fingers) {
   return json["motor"];
 }
 
-TEST(HandSections, GiveNoNumbersOfAMotorForceThatThereIsNot) {
+TEST(HandSections, HaveNoNumbersWhereNoMotorForceIsEnough) {
   const std::string said = said_of("M-1-M+M-2-M", 60, 2);
   EXPECT_TRUE(testing::has(said, "No motor force is enough"));
   EXPECT_TRUE(testing::has(said, "wanted (N)  at 80 N\n"));

@@ -45,7 +45,7 @@ TEST(RobustReport, SaysWhereBothAreOneDesign) {
       "quantiles of uniformity and efficiency 0.200, nominal 0.500");
 }
 
-TEST(RobustReport, HasNothingToSayOfNothing) {
+TEST(RobustReport, IsEmptyWithoutDesigns) {
   EXPECT_TRUE(reports::robust_lines(std::nullopt).empty());
   EXPECT_TRUE(reports::robust_json(std::nullopt).is_null());
 }

@@ -84,7 +84,7 @@ TEST(ExplorePruning, FindsWhatANaiveProgramFinds) {
   for (std::size_t i = 0; i < result.top.size(); ++i) expect_same(result.top[i], expected[i]);
 }
 
-TEST(ExplorePruning, FindsWhatFilteringFindsUnderConstraintsThatChanceSays) {
+TEST(ExplorePruning, FindsWhatFilteringFindsUnderRandomConstraints) {
   std::mt19937 random(11);
   const auto one_of = [&](const std::vector<std::string>& words) {
     return words[random() % words.size()];
@@ -116,7 +116,7 @@ TEST(ExplorePruning, FindsWhatFilteringFindsUnderConstraintsThatChanceSays) {
       expect_same_counts(pruned, all);
       expect_same_references(pruned, all);
       EXPECT_EQ(sampled_words(*pruned.record), sampled_words(*all.record));
-      EXPECT_EQ(rungs_of(pruned.ladder), rungs_of(all.ladder));
+      EXPECT_EQ(steps_of(pruned.tradeoff), steps_of(all.tradeoff));
     }
   }
 }

@@ -32,7 +32,7 @@ ObjectiveValues evaluate(const std::string& word, const Hardware& hardware,
   return DesignEvaluator(hardware, grasps).evaluate(parse_routing(word), scope);
 }
 
-TEST(HandObjectives, AreZeroAndNotThereWithoutAHand) {
+TEST(HandObjectives, AreZeroAndAbsentWithoutAHand) {
   const ObjectiveValues values = evaluate("M-1-T-2-F", Hardware{});
   EXPECT_FALSE(has_hand(values));
   for (const ObjectiveRow& row : objective_table()) {

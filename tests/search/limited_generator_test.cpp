@@ -131,7 +131,7 @@ TEST(LimitedGenerator, GivesOfFloatingBlocksThoseWithinTheLimits) {
   expect_all(generating(with_blocks(anchored(paper_parts()), 4), 4, identical), {"sheaths<=1"}, 3);
 }
 
-TEST(LimitedGenerator, KeepsToLimitsThatChanceSays) {
+TEST(LimitedGenerator, KeepsToRandomLimits) {
   std::mt19937 random(7);
   const auto one_of = [&](const std::vector<std::string>& words) {
     return words[random() % words.size()];
@@ -196,7 +196,7 @@ TEST(LimitedGenerator, CountsAndSeeksFromWhereItHasBeen) {
   EXPECT_LT(limited.steps(), before_seeks + (places.size() / 500 + 1) * far);
 }
 
-TEST(LimitedGenerator, EndsAWayThatIsStoppedAfterAFewSteps) {
+TEST(LimitedGenerator, StopsWithinAFewSteps) {
   const GeneratorOptions options{full_parts(), 9, FingerIdentity::identical, false};
   LimitedGenerator generator(options, {});
   const std::uint64_t before = generator.steps();

@@ -75,7 +75,7 @@ TEST(Pieces, HaveAllValuesWhereTheyAreAskedFor) {
   const RecordAbsorbing absorb = record_absorbing(options, true);
   for (const BroughtPiece& piece : brought_pieces(options, 2)) absorb(part, piece.record);
   DesignEvaluator evaluator({}, options.grasps, options.score);
-  std::vector<Design> designs = part.ladder.candidates();
+  std::vector<Design> designs = part.tradeoff.candidates();
   for (const ArchivedDesign& kept : part.archive.members()) designs.push_back(kept.design);
   ASSERT_GT(designs.size(), 20U);
   for (const Design& design : designs) {
@@ -98,7 +98,7 @@ TEST(Pieces, AreShortBehindOthers) {
   EXPECT_LT(behind.sample.members().size(), 25U);
 }
 
-TEST(Pieces, ThatAreStoppedAreWhatTheySaw) {
+TEST(Pieces, CoverWhatTheySawWhenStopped) {
   ExploreOptions options = kept_options(2);
   // Behind one that needs tensions a constraint leaves nothing out: the piece has several batches.
   std::swap(options.constraints[0], options.constraints[1]);

@@ -26,15 +26,16 @@ inline std::vector<std::string> sampled_words(const ShardRecord& record) {
   return words;
 }
 
-inline std::vector<std::pair<double, std::string>> rungs_of(const Ladder& ladder) {
-  std::vector<std::pair<double, std::string>> rungs;
-  for (const Rung& rung : ladder.rungs) rungs.emplace_back(rung.at_most, rung.design.word);
-  return rungs;
+inline std::vector<std::pair<double, std::string>> steps_of(const Tradeoff& tradeoff) {
+  std::vector<std::pair<double, std::string>> steps;
+  for (const TradeoffStep& step : tradeoff.steps)
+    steps.emplace_back(step.at_most, step.design.word);
+  return steps;
 }
 
-inline std::vector<std::string> choice_of(const Ladder& ladder) {
-  if (!ladder.choice) return {};
-  return {ladder.choice->without.word, ladder.choice->with.word};
+inline std::vector<std::string> choice_of(const Tradeoff& tradeoff) {
+  if (!tradeoff.choice) return {};
+  return {tradeoff.choice->without.word, tradeoff.choice->with.word};
 }
 
 inline void expect_same_counts(const ExploreResult& a, const ExploreResult& b) {
@@ -92,14 +93,14 @@ inline void expect_same_result(const ExploreResult& a, const ExploreResult& b) {
   for (std::size_t i = 0; i < a.sample.size(); ++i) {
     EXPECT_EQ(a.sample[i].values, b.sample[i].values) << a.sample[i].word;
   }
-  EXPECT_EQ(rungs_of(a.ladder), rungs_of(b.ladder));
-  EXPECT_EQ(choice_of(a.ladder), choice_of(b.ladder));
+  EXPECT_EQ(steps_of(a.tradeoff), steps_of(b.tradeoff));
+  EXPECT_EQ(choice_of(a.tradeoff), choice_of(b.tradeoff));
   expect_same_references(a, b);
   expect_same_infeasible(a, b);
   ASSERT_EQ(a.record.has_value(), b.record.has_value());
   if (!a.record) return;
   EXPECT_EQ(sampled_words(*a.record), sampled_words(*b.record));
-  EXPECT_EQ(a.record->rungs, b.record->rungs);
+  EXPECT_EQ(a.record->steps, b.record->steps);
   EXPECT_EQ(a.record->constraint_failures, b.record->constraint_failures);
   ASSERT_EQ(a.record->archive.size(), b.record->archive.size());
 }

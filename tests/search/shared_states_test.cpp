@@ -64,7 +64,7 @@ TEST(SharedStates, HoldTensionsOfPullAndReleaseInEveryGrasp) {
   }
 }
 
-TEST(SharedStates, LeaveOneTreeToWhoSolvesItAsAWhole) {
+TEST(SharedStates, DoNotApplyToASingleTree) {
   EXPECT_FALSE(SharedStates{Hardware{}}.set_routing(parse_routing("M-1-T-2-F")));
 }
 

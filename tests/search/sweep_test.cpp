@@ -150,7 +150,7 @@ TEST(SweepLeads, ChangeHandsWhereTheClosedFormsCross) {
   }
 }
 
-TEST(SweepLeads, AreOneWhereNobodyElseComesFirst) {
+TEST(SweepLeads, AreOneWhereOneDesignAlwaysLeads) {
   const std::vector<SweepLead> leads = swept(published_words(), sweeping("mu=0.02..0.3")).leads;
   ASSERT_EQ(leads.size(), 1U);
   EXPECT_EQ(leads[0].first, std::vector<std::size_t>{6});

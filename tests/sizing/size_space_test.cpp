@@ -19,12 +19,12 @@ std::string names(const std::string& word, SizedQuantity quantity, const Hardwar
 }
 
 SizeSpace space_of(const std::string& word, const std::vector<std::string>& vary,
-                   const std::vector<std::string>& same = {}, const Hardware& hardware = {}) {
+                   const std::vector<std::string>& equal = {}, const Hardware& hardware = {}) {
   std::vector<VariedRange> ranges;
   for (const std::string& text : vary) ranges.push_back(parse_varied(text));
-  std::vector<SameGroup> groups;
-  for (const std::string& text : same) {
-    for (const SameGroup& group : parse_same(text)) groups.push_back(group);
+  std::vector<EqualGroup> groups;
+  for (const std::string& text : equal) {
+    for (const EqualGroup& group : parse_equal(text)) groups.push_back(group);
   }
   require_ranges_to_match({parse_routing(word)}, hardware, ranges, groups);
   return size_space(expand(parse_routing(word)), hardware, ranges, groups);
@@ -39,9 +39,9 @@ std::string variables(const SizeSpace& space) {
 }
 
 std::string error_of(const std::string& word, const std::vector<std::string>& vary,
-                     const std::vector<std::string>& same = {}) {
+                     const std::vector<std::string>& equal = {}) {
   try {
-    space_of(word, vary, same);
+    space_of(word, vary, equal);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -155,7 +155,7 @@ TEST(SizeSpace, MakesOneVariableOfWhatStaysEqual) {
   EXPECT_EQ(space.variables[2].bounds.high, 4);
 }
 
-TEST(SizeSpace, WhatIsEqualToTheSameIsEqual) {
+TEST(SizeSpace, TakesEqualityAsTransitive) {
   EXPECT_EQ(variables(space_of("M-1-P-2-P-3-M", {"sheath_angle=3..9"},
                                {"sheath_angle[1,2]", "sheath_angle[2,3]"})),
             "sheath_angle[1,2,3]");
@@ -197,9 +197,9 @@ TEST(SizeSpace, IsRefusedWhereNothingCanBeVariedSo) {
       error_of("M-1-T-2-F", {"tip_angle[1]=1..4", "contact_angle[T2-T1]=1..2"}),
       "varied dimension 'tip_angle[1]': expected no contact_angle of the same contacts beside it");
   EXPECT_EQ(error_of("M-1-T-2-F", {"tip_angle=1..4"}, {"sheaths"}),
-            "same 'sheaths': expected dimensions that are varied");
+            "equal 'sheaths': expected dimensions that are varied");
   EXPECT_EQ(error_of("M-1-T-2-F", {"tip_angle[1]=1..2", "tip_angle[2]=3..4"}, {"tips"}),
-            "same 'tips': expected bounds that tip_angle[1,2] have in common");
+            "equal 'tips': expected bounds that tip_angle[1,2] have in common");
 }
 
 TEST(VariedRange, IsRefusedWithWhatWasExpected) {
@@ -225,18 +225,18 @@ TEST(VariedRange, IsRefusedWithWhatWasExpected) {
 }
 
 // A comma in brackets parts fingers, another one groups.
-TEST(SameGroup, AreAsManyAsTheCommasOutsideOfBracketsPart) {
+TEST(EqualGroups, AreSeparatedByCommasOutsideBrackets) {
   std::vector<std::string> names;
-  for (const SameGroup& group : parse_same("tips, sheath_angle[2,3],strand_mm[1,2]")) {
+  for (const EqualGroup& group : parse_equal("tips, sheath_angle[2,3],strand_mm[1,2]")) {
     names.push_back(to_text(group.name));
   }
   EXPECT_EQ(names, (std::vector<std::string>{"tip_angle", "sheath_angle[2,3]", "strand_mm[1,2]"}));
 }
 
-TEST(SameGroup, IsRefusedWithWhatWasExpected) {
+TEST(EqualGroup, IsRefusedWithWhatWasExpected) {
   for (const char* text : {"", "fingers", "tips,", "sheath_angle[2", "tips;sheaths"}) {
-    EXPECT_EQ(input_error([&] { parse_same(text); }),
-              "same '" + std::string(text) +
+    EXPECT_EQ(input_error([&] { parse_equal(text); }),
+              "equal '" + std::string(text) +
                   "': expected tips, sheaths, strands, or dimensions of one quantity such as "
                   "sheath_angle[2,3,4]");
   }

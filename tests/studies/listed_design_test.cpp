@@ -13,7 +13,7 @@ namespace reeve {
 namespace {
 
 using studies::ListedDesign;
-using studies::ListedLadder;
+using studies::ListedTradeoff;
 
 std::vector<ListedDesign> listed(const std::vector<std::string>& words) {
   DesignEvaluator evaluator(Hardware{}, single_grasps(4));
@@ -27,8 +27,8 @@ std::vector<ListedDesign> listed(const std::vector<std::string>& words) {
   return studies::list_designs(ranked, routings, {}, Model{}, Catalogue{});
 }
 
-ListedLadder ladder_of(const std::vector<ListedDesign>& designs) {
-  return studies::list_ladder({}, designs, Order{}, Model{}, std::nullopt, Catalogue{});
+ListedTradeoff tradeoff_of(const std::vector<ListedDesign>& designs) {
+  return studies::list_tradeoff({}, designs, Order{}, Model{}, std::nullopt, Catalogue{});
 }
 
 TEST(ListedDesigns, SayWithWhichFingersHeldTheyJam) {
@@ -41,10 +41,10 @@ TEST(ListedDesigns, HaveABestThatNeverJams) {
   const auto designs = listed(
       {"1-P-2-P-1+3-P-4-P-3", "M-1-T-2-T-3-T-4-F", "1-P-2-P-3-P-4-P-1", "F-1-P-2-P-3-T-4-F"});
   ASSERT_EQ(designs.front().ranked.design.word, "1-P-2-P-1+3-P-4-P-3");
-  const ListedLadder ladder = ladder_of(designs);
-  ASSERT_TRUE(ladder.never_jams);
-  EXPECT_EQ(ladder.never_jams->ranked.design.word, "1-P-2-P-3-P-4-P-1");
-  EXPECT_FALSE(ladder_of(listed({"1-P-2-P-1+3-P-4-P-3"})).never_jams);
+  const ListedTradeoff tradeoff = tradeoff_of(designs);
+  ASSERT_TRUE(tradeoff.never_jams);
+  EXPECT_EQ(tradeoff.never_jams->ranked.design.word, "1-P-2-P-3-P-4-P-1");
+  EXPECT_FALSE(tradeoff_of(listed({"1-P-2-P-1+3-P-4-P-3"})).never_jams);
 }
 
 std::string robust_word(const std::vector<ListedDesign>& designs, const Order& order = {}) {

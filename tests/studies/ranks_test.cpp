@@ -97,7 +97,7 @@ std::vector<std::string> words_of(const ExploreResult& result) {
   return words;
 }
 
-TEST(Ranks, OfAnySizeFindsTheSame) {
+TEST(Ranks, AnyNumberOfThemFindsTheSame) {
   const ExploreResult alone = explore(rank_options());
   for (const int size : {1, 2, 5}) {
     SCOPED_TRACE(size);
@@ -114,7 +114,7 @@ TEST(Ranks, OfAnySizeFindsTheSame) {
   }
 }
 
-TEST(Ranks, SavesWhatGoesOnAloneToTheSame) {
+TEST(Ranks, SaveWhatOneProcessContinuesToTheSame) {
   std::vector<ShardRecord> saved;
   Checkpoint checkpoint;
   checkpoint.is_due = [] { return true; };
@@ -148,7 +148,7 @@ TEST(Ranks, SavesWhatGoesOnAloneToTheSame) {
   }
 }
 
-TEST(Ranks, ThatIsStoppedHasTheBeginning) {
+TEST(Ranks, KeepTheFirstPartWhenStopped) {
   std::atomic<bool> stop = false;
   const ExploreResult stopped = with_ranks(
       3,
@@ -184,7 +184,7 @@ std::string told_by_the_second(const Failure& failure) {
   return "(nothing)";
 }
 
-TEST(Ranks, HearsWhatFailed) {
+TEST(Ranks, ReportTheFailureOfAnother) {
   EXPECT_EQ(told_by_the_second<InputError>(InputError("h.toml: cannot be read")),
             "rank 1 of 2: h.toml: cannot be read");
   EXPECT_EQ(told_by_the_second<OutOfRange>(OutOfRange("no tensions")), "no tensions");
@@ -192,7 +192,7 @@ TEST(Ranks, HearsWhatFailed) {
   EXPECT_EQ(told_by_the_second<FollowerFailed>(std::bad_alloc()), "rank 1 of 2: not enough memory");
 }
 
-TEST(Ranks, HasReadTheSame) {
+TEST(Ranks, MustHaveReadTheSameFiles) {
   EXPECT_THROW(with_ranks(
                    2,
                    [](Leader& leader) {

@@ -24,13 +24,13 @@ std::vector<std::string> words_to_sweep(const ExploreReport& report) {
 }
 
 // Of those that are equal to another none is swept again.
-TEST(DesignsToSweep, AreTheBestTheRungsAndTheFrontEachOnce) {
+TEST(DesignsToSweep, AreTheBestTheStepsAndTheFrontEachOnce) {
   ExploreReport report;
   report.top = {listed("best"), listed("second")};
-  report.ladder.affordable = listed("cheap");
-  report.ladder.rungs = {listed("cheap"), listed("best"), listed("rung"), listed("rung")};
-  report.front = {listed("best"), listed("rung"), listed("bearing", "best"), listed("front")};
-  EXPECT_EQ(words_to_sweep(report), (std::vector<std::string>{"best", "cheap", "rung", "front"}));
+  report.tradeoff.affordable = listed("cheap");
+  report.tradeoff.steps = {listed("cheap"), listed("best"), listed("step"), listed("step")};
+  report.front = {listed("best"), listed("step"), listed("bearing", "best"), listed("front")};
+  EXPECT_EQ(words_to_sweep(report), (std::vector<std::string>{"best", "cheap", "step", "front"}));
 }
 
 TEST(DesignsToSweep, AreAFewAlone) {

@@ -1,4 +1,4 @@
-#include "search/rank/ladder.hpp"
+#include "search/rank/tradeoff.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +23,10 @@ Order with_measure(const Order& order, Objective by) {
 // Far below anything that can be measured: a loss of exactly `within` is within it.
 constexpr double rounding = 1e-9;
 
-double greatest_loss(const ObjectiveValues& values, const Ladder& ladder) {
+double greatest_loss(const ObjectiveValues& values, const Tradeoff& tradeoff) {
   double greatest = -std::numeric_limits<double>::infinity();
-  for (const Objective objective : ladder.objectives) {
-    greatest = std::max(greatest, loss(objective, values, ladder.first.values));
+  for (const Objective objective : tradeoff.objectives) {
+    greatest = std::max(greatest, loss(objective, values, tradeoff.first.values));
   }
   return greatest;
 }
@@ -45,33 +45,33 @@ void admit(const Design& design, const std::vector<Objective>& objectives,
   front.push_back(design);
 }
 
-void add_rungs(const std::vector<Design>& candidates, const Order& order, Ladder& ladder) {
+void add_steps(const std::vector<Design>& candidates, const Order& order, Tradeoff& tradeoff) {
   std::vector<Design> front;
   for (std::size_t i = 0; i < candidates.size();) {
-    const double at_most = value(candidates[i].values, ladder.options.by);
-    for (; i < candidates.size() && value(candidates[i].values, ladder.options.by) == at_most;
+    const double at_most = value(candidates[i].values, tradeoff.options.by);
+    for (; i < candidates.size() && value(candidates[i].values, tradeoff.options.by) == at_most;
          ++i) {
       admit(candidates[i], order.objectives, front);
     }
     const Design& best = *std::min_element(
         front.begin(), front.end(),
         [&](const Design& a, const Design& b) { return precedes_within_front(a, b, order); });
-    if (!ladder.rungs.empty() && ladder.rungs.back().design.word == best.word) continue;
-    ladder.rungs.push_back(
-        {at_most, best, on_grid(std::clamp(1 - greatest_loss(best.values, ladder), 0.0, 1.0))});
+    if (!tradeoff.steps.empty() && tradeoff.steps.back().design.word == best.word) continue;
+    tradeoff.steps.push_back(
+        {at_most, best, on_grid(std::clamp(1 - greatest_loss(best.values, tradeoff), 0.0, 1.0))});
   }
 }
 
-std::optional<std::size_t> knee(const std::vector<Rung>& rungs) {
-  if (rungs.size() < 3) return std::nullopt;
-  const Rung& low = rungs.front();
-  const Rung& high = rungs.back();
+std::optional<std::size_t> knee(const std::vector<TradeoffStep>& steps) {
+  if (steps.size() < 3) return std::nullopt;
+  const TradeoffStep& low = steps.front();
+  const TradeoffStep& high = steps.back();
   if (high.kept <= low.kept) return std::nullopt;
   std::optional<std::size_t> highest;
   double height = rounding;
-  for (std::size_t i = 1; i + 1 < rungs.size(); ++i) {
-    const double x = (rungs[i].at_most - low.at_most) / (high.at_most - low.at_most);
-    const double y = (rungs[i].kept - low.kept) / (high.kept - low.kept);
+  for (std::size_t i = 1; i + 1 < steps.size(); ++i) {
+    const double x = (steps[i].at_most - low.at_most) / (high.at_most - low.at_most);
+    const double y = (steps[i].kept - low.kept) / (high.kept - low.kept);
     if (y - x <= height) continue;
     height = y - x;
     highest = i;
@@ -101,12 +101,13 @@ bool has_blocks(const Design& design) { return value(design.values, Objective::b
 
 // Returns the candidates with the least measure that lose no more than `within`. The candidates are
 // in order of the measure.
-std::vector<Design> cheapest_within(const std::vector<Design>& candidates, const Ladder& ladder) {
+std::vector<Design> cheapest_within(const std::vector<Design>& candidates,
+                                    const Tradeoff& tradeoff) {
   std::vector<Design> cheapest;
   for (const Design& design : candidates) {
-    const double measure = value(design.values, ladder.options.by);
-    if (!cheapest.empty() && measure > value(cheapest.front().values, ladder.options.by)) break;
-    if (!is_within(design.values, ladder)) continue;
+    const double measure = value(design.values, tradeoff.options.by);
+    if (!cheapest.empty() && measure > value(cheapest.front().values, tradeoff.options.by)) break;
+    if (!is_within(design.values, tradeoff)) continue;
     cheapest.push_back(design);
   }
   return cheapest;
@@ -117,46 +118,46 @@ Design first_of(std::vector<Design> designs, const Order& order) {
 }
 
 std::optional<Design> affordable(const std::vector<Design>& candidates, const Order& order,
-                                 const Ladder& ladder) {
-  std::vector<Design> cheapest = cheapest_within(candidates, ladder);
+                                 const Tradeoff& tradeoff) {
+  std::vector<Design> cheapest = cheapest_within(candidates, tradeoff);
   const auto measure = [&](const Design& design) {
-    return value(design.values, ladder.options.by);
+    return value(design.values, tradeoff.options.by);
   };
-  if (cheapest.empty() || measure(cheapest.front()) >= measure(ladder.first)) return std::nullopt;
+  if (cheapest.empty() || measure(cheapest.front()) >= measure(tradeoff.first)) return std::nullopt;
   return first_of(std::move(cheapest), order);
 }
 
 // Chooses among candidates of one kind; there is at least one.
-Design chosen(std::vector<Design> candidates, const Order& order, const Ladder& ladder) {
-  std::vector<Design> cheapest = cheapest_within(candidates, ladder);
+Design chosen(std::vector<Design> candidates, const Order& order, const Tradeoff& tradeoff) {
+  std::vector<Design> cheapest = cheapest_within(candidates, tradeoff);
   return first_of(cheapest.empty() ? std::move(candidates) : std::move(cheapest), order);
 }
 
 std::optional<BlockChoice<Design>> block_choice(const std::vector<Design>& candidates,
-                                                const Order& order, const Ladder& ladder) {
+                                                const Order& order, const Tradeoff& tradeoff) {
   std::vector<Design> with;
   std::vector<Design> without;
   for (const Design& design : candidates) (has_blocks(design) ? with : without).push_back(design);
   if (with.empty() || without.empty()) return std::nullopt;
-  return BlockChoice<Design>{chosen(std::move(without), order, ladder),
-                             chosen(std::move(with), order, ladder)};
+  return BlockChoice<Design>{chosen(std::move(without), order, tradeoff),
+                             chosen(std::move(with), order, tradeoff)};
 }
 
 }  // namespace
 
-LadderArchive::LadderArchive(const Order& order, Objective by)
+TradeoffArchive::TradeoffArchive(const Order& order, Objective by)
     : without_blocks_(with_measure(order, by), 1), with_blocks_(with_measure(order, by), 1) {}
 
-const Archive& LadderArchive::front_of(const ObjectiveValues& values) const {
+const Archive& TradeoffArchive::front_of(const ObjectiveValues& values) const {
   return value(values, Objective::blocks) > 0 ? with_blocks_ : without_blocks_;
 }
 
-void LadderArchive::add(Design design) {
+void TradeoffArchive::add(Design design) {
   Archive& front = has_blocks(design) ? with_blocks_ : without_blocks_;
   front.add(std::move(design));
 }
 
-std::vector<Design> LadderArchive::candidates() {
+std::vector<Design> TradeoffArchive::candidates() {
   std::vector<Design> designs;
   for (Archive* front : {&without_blocks_, &with_blocks_}) {
     for (RankedDesign& ranked : front->content().ranked) {
@@ -184,24 +185,24 @@ double loss(Objective objective, const ObjectiveValues& values, const ObjectiveV
                    : -std::numeric_limits<double>::infinity();
 }
 
-bool is_within(const ObjectiveValues& values, const Ladder& ladder) {
-  return greatest_loss(values, ladder) <= ladder.options.within + rounding;
+bool is_within(const ObjectiveValues& values, const Tradeoff& tradeoff) {
+  return greatest_loss(values, tradeoff) <= tradeoff.options.within + rounding;
 }
 
-Ladder ladder(std::vector<Design> candidates, const Design& first, const Order& order,
-              const LadderOptions& options) {
-  Ladder result{options, ranked_by(order), {}, first, std::nullopt, std::nullopt};
+Tradeoff tradeoff(std::vector<Design> candidates, const Design& first, const Order& order,
+                  const TradeoffOptions& options) {
+  Tradeoff result{options, ranked_by(order), {}, first, std::nullopt, std::nullopt};
   sort_by_measure(candidates, options.by);
   result.choice = block_choice(candidates, order, result);
   candidates = undominated(candidates, order, options.by);
   sort_by_measure(candidates, options.by);
-  add_rungs(candidates, order, result);
-  result.knee = knee(result.rungs);
+  add_steps(candidates, order, result);
+  result.knee = knee(result.steps);
   result.affordable = affordable(candidates, order, result);
   return result;
 }
 
-const std::vector<std::string>& ladder_measures() {
+const std::vector<std::string>& tradeoff_measures() {
   static const std::vector<std::string> names{"sheaths", "blocks", "pulleys", "parts", "cost"};
   return names;
 }

@@ -1,4 +1,4 @@
-#include "cli/flags/ladder_flags.hpp"
+#include "cli/flags/tradeoff_flags.hpp"
 
 #include <fmt/format.h>
 
@@ -25,25 +25,25 @@ bool counts_cost(const Score& score) {
 
 }  // namespace
 
-void LadderFlags::add_to(CLI::App& command) {
+void TradeoffFlags::add_to(CLI::App& command) {
   by_given_ = command
-                  .add_option("--ladder", by,
+                  .add_option("--tradeoff", by,
                               "Best design for each number of these (cost if --cost is given)")
-                  ->check(one_of(ladder_measures()))
+                  ->check(one_of(tradeoff_measures()))
                   ->capture_default_str();
   command
       .add_option("--within", within,
-                  "Name the design with fewest of --ladder that loses at most this in any "
+                  "Name the design with fewest of --tradeoff that loses at most this in any "
                   "ranked objective")
       ->capture_default_str();
   prices.add_to(command, "makes cost an objective");
 }
 
-LadderOptions LadderFlags::read() const {
+TradeoffOptions TradeoffFlags::read() const {
   const bool priced = prices.is_given();
   const std::string measure = priced && by_given_->count() == 0 ? "cost" : by;
-  if (measure == "cost" && !priced) fail_without_prices("--ladder", measure);
-  return {parse_objective(measure, "--ladder"),
+  if (measure == "cost" && !priced) fail_without_prices("--tradeoff", measure);
+  return {parse_objective(measure, "--tradeoff"),
           for_name("--", [&] { return parse_within(within); })};
 }
 
@@ -62,8 +62,8 @@ void PricesOption::list_in(std::vector<InputFile>& inputs) const {
   if (is_given()) inputs.push_back({file_, "the prices"});
 }
 
-void LadderFlags::require_prices(const Order& order, const Score& score,
-                                 const std::vector<Constraint>& constraints) const {
+void TradeoffFlags::require_prices(const Order& order, const Score& score,
+                                   const std::vector<Constraint>& constraints) const {
   if (prices.is_given()) return;
   const auto& objectives = order.objectives;
   if (std::find(objectives.begin(), objectives.end(), Objective::cost) != objectives.end()) {

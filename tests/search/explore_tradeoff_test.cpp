@@ -1,5 +1,5 @@
-// The ladder of an exploration is exact, however short the list that is kept, and the same for any
-// number of threads and shards.
+// The trade-off of an exploration is exact, however short the list that is kept, and the same for
+// any number of threads and shards.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 
 #include "search/exploration_part.hpp"
 #include "search/explore.hpp"
-#include "search/rank/ladder.hpp"
+#include "search/rank/tradeoff.hpp"
 #include "tests/search/naive_exploration.hpp"
-#include "tests/search/naive_ladder.hpp"
+#include "tests/search/naive_tradeoff.hpp"
 #include "tests/search/same_exploration.hpp"
 
 namespace reeve::testing {
@@ -43,12 +43,12 @@ std::vector<Design> all_designs(const ExploreOptions& options) {
 }
 
 // Expects of one kind the least of the measure within the loss, or the first where none is within.
-void expect_naive_choice(const Design& chosen, std::vector<Design> kind, const Ladder& ladder,
+void expect_naive_choice(const Design& chosen, std::vector<Design> kind, const Tradeoff& tradeoff,
                          const ExploreOptions& options) {
-  const Objective by = ladder.options.by;
+  const Objective by = tradeoff.options.by;
   std::vector<Design> within;
   for (const Design& design : kind) {
-    if (is_within(design.values, ladder)) within.push_back(design);
+    if (is_within(design.values, tradeoff)) within.push_back(design);
   }
   const std::vector<Design>& from = within.empty() ? kind : within;
   if (!within.empty()) {
@@ -67,40 +67,40 @@ void expect_naive_choice(const Design& chosen, std::vector<Design> kind, const L
   EXPECT_EQ(chosen.word, naive_first(with_as_little, options.order, by).word);
 }
 
-void expect_naive_choices(const Ladder& ladder, const std::vector<Design>& designs,
+void expect_naive_choices(const Tradeoff& tradeoff, const std::vector<Design>& designs,
                           const ExploreOptions& options) {
   std::vector<Design> with;
   std::vector<Design> without;
   for (const Design& design : designs) {
     (value(design.values, Objective::blocks) > 0 ? with : without).push_back(design);
   }
-  ASSERT_EQ(ladder.choice.has_value(), !with.empty() && !without.empty());
-  if (!ladder.choice) return;
-  expect_naive_choice(ladder.choice->with, with, ladder, options);
-  expect_naive_choice(ladder.choice->without, without, ladder, options);
+  ASSERT_EQ(tradeoff.choice.has_value(), !with.empty() && !without.empty());
+  if (!tradeoff.choice) return;
+  expect_naive_choice(tradeoff.choice->with, with, tradeoff, options);
+  expect_naive_choice(tradeoff.choice->without, without, tradeoff, options);
 }
 
-void expect_naive_ladder(const ExploreOptions& options) {
+void expect_naive_tradeoff(const ExploreOptions& options) {
   const std::vector<Design> designs = all_designs(options);
-  const Ladder found = explore(options).ladder;
-  const Objective by = options.ladder.by;
-  EXPECT_EQ(rungs_of(found), naive_ladder(designs, options.order, by));
+  const Tradeoff found = explore(options).tradeoff;
+  const Objective by = options.tradeoff.by;
+  EXPECT_EQ(steps_of(found), naive_tradeoff(designs, options.order, by));
   const Design first = rank(designs, options.order).front().design;
   EXPECT_EQ(found.first.word, first.word);
   expect_naive_choices(found, designs, options);
   const double least =
-      naive_least(designs, first, ranked_by(options.order), by, options.ladder.within);
+      naive_least(designs, first, ranked_by(options.order), by, options.tradeoff.within);
   EXPECT_EQ(found.affordable.has_value(), least < value(first.values, by));
   if (found.affordable) {
     EXPECT_EQ(value(found.affordable->values, by), least);
     for (const Objective objective : found.objectives) {
       EXPECT_LE(loss(objective, found.affordable->values, first.values),
-                options.ladder.within + 1e-9);
+                options.tradeoff.within + 1e-9);
     }
   }
 }
 
-TEST(ExploreLadder, AgreesWithItsDefinition) {
+TEST(ExploreTradeoff, AgreesWithItsDefinition) {
   for (const Objectives& objectives : several_objectives()) {
     for (const Objective by :
          {Objective::sheaths, Objective::pulleys, Objective::parts, Objective::cost}) {
@@ -108,46 +108,46 @@ TEST(ExploreLadder, AgreesWithItsDefinition) {
       ExploreOptions options = options_for(full_parts(), 3, objectives);
       options.top = 1;
       options.prices = some_prices();
-      options.ladder = {by, 0.05};
-      expect_naive_ladder(options);
+      options.tradeoff = {by, 0.05};
+      expect_naive_tradeoff(options);
     }
   }
 }
 
-TEST(ExploreLadder, AgreesWithItsDefinitionWithAScoreConstraintsAndBlocks) {
+TEST(ExploreTradeoff, AgreesWithItsDefinitionWithAScoreConstraintsAndBlocks) {
   ExploreOptions options = options_for(full_parts(), 3);
   options.top = 3;
   options.order = {both, true};
   options.score = parse_score("uniformity=1,jams=0.3,travel=0.01");
-  expect_naive_ladder(options);
+  expect_naive_tradeoff(options);
   options = options_for(full_parts(), 3);
   options.constraints = {parse_constraint("pulleys<=4"), parse_constraint("travel<=3")};
-  expect_naive_ladder(options);
+  expect_naive_tradeoff(options);
   options = options_for(all_parts(), 2);
-  options.ladder.by = Objective::blocks;
-  expect_naive_ladder(options);
+  options.tradeoff.by = Objective::blocks;
+  expect_naive_tradeoff(options);
 }
 
-TEST(ExploreLadder, ChoosesTheBestWithAndWithoutBlocks) {
+TEST(ExploreTradeoff, ChoosesTheBestWithAndWithoutBlocks) {
   for (const Objectives& objectives : several_objectives()) {
     SCOPED_TRACE(std::string("first by ") + row(objectives.front()).name);
     ExploreOptions options = options_for(all_parts(), 3, objectives);
     options.top = 1;
-    expect_naive_ladder(options);
+    expect_naive_tradeoff(options);
     options.constraints = {parse_constraint("pulleys<=1")};
-    expect_naive_ladder(options);
+    expect_naive_tradeoff(options);
   }
 }
 
-TEST(ExploreLadder, ChoosesNothingWhereNoDesignHasBlocks) {
-  EXPECT_FALSE(explore(options_for(full_parts(), 2)).ladder.choice);
+TEST(ExploreTradeoff, ChoosesNothingWhereNoDesignHasBlocks) {
+  EXPECT_FALSE(explore(options_for(full_parts(), 2)).tradeoff.choice);
 }
 
-// Shards keep what the whole needs, though the best without blocks are no rungs of it.
-TEST(ExploreLadder, ChoosesTheSameOfShards) {
+// Shards keep what the whole needs, though the best without blocks are no steps of it.
+TEST(ExploreTradeoff, ChoosesTheSameOfShards) {
   ExploreOptions options = options_for(all_parts(), 3);
   options.top = 1;
-  const Ladder whole = explore(options).ladder;
+  const Tradeoff whole = explore(options).tradeoff;
   options.keeps_record = true;
   std::vector<ShardRecord> records;
   for (std::uint64_t shard = 1; shard <= 4; ++shard) {
@@ -155,56 +155,56 @@ TEST(ExploreLadder, ChoosesTheSameOfShards) {
     records.push_back(*explore(options).record);
   }
   options.shard = {};
-  const Ladder merged = conclude(records, options, {}).ladder;
+  const Tradeoff merged = conclude(records, options, {}).tradeoff;
   ASSERT_TRUE(whole.choice && merged.choice);
   EXPECT_EQ(merged.choice->with.word, whole.choice->with.word);
   EXPECT_EQ(merged.choice->without.word, whole.choice->without.word);
   EXPECT_EQ(merged.choice->without.values, whole.choice->without.values);
 }
 
-// Another way to each rung: an exploration that may have no more of the measure.
-TEST(ExploreLadder, HasAtEachRungWhatAConstraintOnTheMeasureFinds) {
+// Another way to each step: an exploration that may have no more of the measure.
+TEST(ExploreTradeoff, HasAtEachStepWhatAConstraintOnTheMeasureFinds) {
   ExploreOptions options = several_batches();
-  const Ladder found = explore(options).ladder;
-  ASSERT_GE(found.rungs.size(), 4U);
-  for (const Rung& rung : found.rungs) {
-    options.constraints = {parse_constraint("sheaths<=" + std::to_string(rung.at_most))};
+  const Tradeoff found = explore(options).tradeoff;
+  ASSERT_GE(found.steps.size(), 4U);
+  for (const TradeoffStep& step : found.steps) {
+    options.constraints = {parse_constraint("sheaths<=" + std::to_string(step.at_most))};
     const Design best = explore(options).top.front().design;
-    EXPECT_EQ(best.word, rung.design.word);
-    EXPECT_EQ(best.values, rung.design.values);
+    EXPECT_EQ(best.word, step.design.word);
+    EXPECT_EQ(best.values, step.design.values);
   }
 }
 
-TEST(ExploreLadder, IsTheSameForAnyNumberOfThreads) {
+TEST(ExploreTradeoff, IsTheSameForAnyNumberOfThreads) {
   ExploreOptions options = several_batches();
-  const Ladder one = explore(options).ladder;
+  const Tradeoff one = explore(options).tradeoff;
   options.threads = 3;
-  const Ladder three = explore(options).ladder;
-  EXPECT_EQ(rungs_of(one), rungs_of(three));
-  for (std::size_t i = 0; i < one.rungs.size(); ++i) {
-    EXPECT_EQ(one.rungs[i].design.values, three.rungs[i].design.values);
+  const Tradeoff three = explore(options).tradeoff;
+  EXPECT_EQ(steps_of(one), steps_of(three));
+  for (std::size_t i = 0; i < one.steps.size(); ++i) {
+    EXPECT_EQ(one.steps[i].design.values, three.steps[i].design.values);
   }
   EXPECT_EQ(one.knee, three.knee);
   ASSERT_TRUE(one.affordable && three.affordable);
   EXPECT_EQ(one.affordable->word, three.affordable->word);
 }
 
-TEST(ExploreLadder, OfTheWholeFollowsFromThoseOfItsShards) {
+TEST(ExploreTradeoff, OfTheWholeFollowsFromThoseOfItsShards) {
   ExploreOptions options = several_batches();
-  const Ladder whole = explore(options).ladder;
-  LadderArchive archive(options.order, Objective::sheaths);
+  const Tradeoff whole = explore(options).tradeoff;
+  TradeoffArchive archive(options.order, Objective::sheaths);
   for (std::uint64_t shard = 1; shard <= 5; ++shard) {
     options.shard = {shard, 5};
-    for (const Rung& rung : explore(options).ladder.rungs) archive.add(rung.design);
+    for (const TradeoffStep& step : explore(options).tradeoff.steps) archive.add(step.design);
   }
-  EXPECT_EQ(rungs_of(ladder(archive.candidates(), whole.first, options.order, options.ladder)),
-            rungs_of(whole));
+  EXPECT_EQ(steps_of(tradeoff(archive.candidates(), whole.first, options.order, options.tradeoff)),
+            steps_of(whole));
 }
 
-TEST(ExploreLadder, HasNoRungWhereNothingIsLeft) {
+TEST(ExploreTradeoff, HasNoStepWhereNothingIsLeft) {
   ExploreOptions options = options_for(full_parts(), 2);
   options.constraints = {parse_constraint("sheaths<=0")};
-  EXPECT_TRUE(explore(options).ladder.rungs.empty());
+  EXPECT_TRUE(explore(options).tradeoff.steps.empty());
 }
 
 }  // namespace

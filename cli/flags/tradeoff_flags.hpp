@@ -1,4 +1,4 @@
-// Options of `explore` and `rank` for the step from a ranking to a decision: the ladder, the
+// Options of `explore` and `rank` for the step from a ranking to a decision: the trade-off, the
 // acceptable loss, and the prices of parts.
 #pragma once
 
@@ -12,8 +12,8 @@
 #include "core/part_prices.hpp"
 #include "search/evaluate/objectives.hpp"
 #include "search/evaluate/score.hpp"
-#include "search/rank/ladder.hpp"
 #include "search/rank/ranking.hpp"
+#include "search/rank/tradeoff.hpp"
 
 namespace reeve::cli {
 
@@ -30,14 +30,14 @@ struct PricesOption {
   CLI::Option* option_ = nullptr;
 };
 
-struct LadderFlags {
+struct TradeoffFlags {
   std::string by = "sheaths";
   std::string within = "2%";
   PricesOption prices;
 
   void add_to(CLI::App& command);
   // The measure is the cost if prices are given and no measure is.
-  LadderOptions read() const;
+  TradeoffOptions read() const;
   std::optional<PartPrices> read_prices() const { return prices.read(); }
   // Throws InputError if what was asked for counts the cost, and there are no prices.
   void require_prices(const Order& order, const Score& score,

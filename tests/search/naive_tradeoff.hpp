@@ -1,4 +1,4 @@
-// The ladder by its definition, with every design in memory: for each amount of the measure all
+// The trade-off by its definition, with every design in memory: for each amount of the measure all
 // designs with at most as much, compared pair by pair.
 #pragma once
 
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "search/rank/ladder.hpp"
+#include "search/rank/tradeoff.hpp"
 
 namespace reeve::testing {
 
@@ -46,21 +46,21 @@ inline const Design& naive_first(const std::vector<Design>& designs, const Order
   return *best;
 }
 
-inline std::vector<std::pair<double, std::string>> naive_ladder(const std::vector<Design>& designs,
-                                                                const Order& order, Objective by) {
+inline std::vector<std::pair<double, std::string>> naive_tradeoff(
+    const std::vector<Design>& designs, const Order& order, Objective by) {
   std::set<double> amounts;
   for (const Design& design : designs) amounts.insert(value(design.values, by));
-  std::vector<std::pair<double, std::string>> rungs;
+  std::vector<std::pair<double, std::string>> steps;
   for (const double amount : amounts) {
     std::vector<Design> within;
     std::copy_if(designs.begin(), designs.end(), std::back_inserter(within),
                  [&](const Design& design) { return value(design.values, by) <= amount; });
     const Design& first = naive_first(within, order, by);
-    if (rungs.empty() || rungs.back().second != first.word) {
-      rungs.emplace_back(amount, first.word);
+    if (steps.empty() || steps.back().second != first.word) {
+      steps.emplace_back(amount, first.word);
     }
   }
-  return rungs;
+  return steps;
 }
 
 // The least of the measure among all that lose at most `within` in every ranked objective.
