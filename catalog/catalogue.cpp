@@ -77,7 +77,7 @@ void require_new(const Catalogue& catalogue, const CatalogueEntry& entry, const 
   require_new_name(catalogue, entry.name, file);
   if (const CatalogueEntry* other = catalogue.find_word(entry.routing)) {
     file.find("word")->fail_expected(fmt::format(
-        "a routing that is not in the catalog yet ({} has it as {})", other->file, other->name));
+        "a routing that is not in the catalogue yet ({} has it as {})", other->file, other->name));
   }
 }
 
@@ -111,7 +111,7 @@ void require_references(const Catalogue& catalogue) {
           {.where = fmt::format("{}:{}:{}", entry.file, fault.at.line, fault.at.column),
            .what = "fault.routing",
            .value = fmt::format("\"{}\"", *wanted),
-           .expected = fmt::format("another routing in the catalog, with {}",
+           .expected = fmt::format("another routing in the catalogue, with {}",
                                    entry.table ? "a [table] of as many strands"
                                                : "[[lines]] of as many strands in the same figure"),
            .form = InputForm::equals});
@@ -122,7 +122,7 @@ void require_references(const Catalogue& catalogue) {
 void read_families(const CatalogueFiles& files, Catalogue& catalogue) {
   for (const std::string& family : files.folders("families")) {
     if (family == paper_family) {
-      throw InputError({.where = "catalog families/paper",
+      throw InputError({.where = "catalogue families/paper",
                         .what = "this name is taken",
                         .expected = "another, since the routings beside families/ are paper's",
                         .form = InputForm::unknown});

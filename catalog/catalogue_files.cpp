@@ -39,7 +39,7 @@ std::vector<std::string> folders_embedded_in(const std::string& folder) {
 [[noreturn]] void fail_unreadable(const std::filesystem::path& folder,
                                   const std::error_code& error) {
   require_memory(error);
-  throw InputError({.where = fmt::format("catalog {}", folder.string()),
+  throw InputError({.where = fmt::format("catalogue {}", folder.string()),
                     .what = fmt::format("cannot be read: {}", error.message())});
 }
 
@@ -73,7 +73,7 @@ std::vector<std::string> lying_in(const std::filesystem::path& catalogue,
   }
   if (error) fail_unreadable(catalogue, error);
   if (paths.empty() && folder.empty()) {
-    throw InputError({.where = fmt::format("catalog {}", catalogue.string()),
+    throw InputError({.where = fmt::format("catalogue {}", catalogue.string()),
                       .what = "has no file *.toml",
                       .expected = "one for each routing"});
   }
@@ -114,7 +114,7 @@ CatalogueFile CatalogueFiles::find(const std::string& path) const {
   if (!folder_.empty()) return {(folder_ / path).string(), std::nullopt};
   const auto found = embedded_catalogue().find(path);
   if (found == embedded_catalogue().end()) {
-    throw InputError({.where = path, .what = "is not in the built-in catalog"});
+    throw InputError({.where = path, .what = "is not in the built-in catalogue"});
   }
   return {"catalog/" + path, std::string(found->second)};
 }

@@ -150,7 +150,7 @@ ReversedContactFault read_reversed_contact(const TomlNode& node, const Catalogue
 
 std::string read_other_routing(const TomlNode& node) {
   node.allow_only({"kind", "routing"});
-  return node.require("routing", "the name of another routing in the catalog").text();
+  return node.require("routing", "the name of another routing in the catalogue").text();
 }
 
 Fault read_fault(const TomlNode& node, const CatalogueEntry& entry, int strands) {

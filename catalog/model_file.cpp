@@ -65,7 +65,7 @@ Segment read_channel(const TomlNode& table, std::string_view key) {
 
 Routing read_routing(const TomlNode& table, const Catalogue& catalogue) {
   return parsed(table, "routing",
-                "the word of a routing in quotes, such as \"M-1-T-2-F\", or its catalog name",
+                "the word of a routing in quotes, such as \"M-1-T-2-F\", or its catalogue name",
                 [&](const std::string& text) {
                   const Routing* named = catalogue.find_routing(text);
                   return named != nullptr ? *named : parse_routing(text);

@@ -69,7 +69,7 @@ Routing read_routing(const std::string& text, const Catalogue& catalogue) {
   if (looks_like_a_name(text)) {
     throw InputError(
         {.where = fmt::format("routing '{}'", text),
-         .what = "no such name in the catalog",
+         .what = "no such name in the catalogue",
          .expected = fmt::format("one of {}, or a word such as M-1-T-2-F{}", names(catalogue),
                                  did_you_mean(text, routing_names(catalogue))),
          .form = InputForm::unknown});
@@ -80,10 +80,11 @@ Routing read_routing(const std::string& text, const Catalogue& catalogue) {
 Routing read_like(const std::string& name, int fingers, const Catalogue& catalogue) {
   const std::vector<Routing> sizes = catalogue.sizes_of(name);
   if (sizes.empty()) {
-    throw InputError({.what = "--like",
-                      .value = name,
-                      .expected = fmt::format("a name of the catalog, which reeve catalog lists{}",
-                                              did_you_mean(name, routing_names(catalogue)))});
+    throw InputError(
+        {.what = "--like",
+         .value = name,
+         .expected = fmt::format("a name of the catalogue, which reeve catalogue lists{}",
+                                 did_you_mean(name, routing_names(catalogue)))});
   }
   std::vector<int> known;
   for (const Routing& routing : sizes) {
@@ -93,7 +94,7 @@ Routing read_like(const std::string& name, int fingers, const Catalogue& catalog
   throw InputError(
       {.what = "--fingers",
        .value = std::to_string(fingers),
-       .expected = fmt::format("{}{}: the catalog has {} for no other number",
+       .expected = fmt::format("{}{}: the catalogue has {} for no other number",
                                known.size() > 1 ? "one of " : "", fmt::join(known, ", "), name)});
 }
 

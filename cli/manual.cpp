@@ -59,7 +59,7 @@ std::string subcommand_section(const SubcommandText& subcommand) {
 constexpr std::string_view manual_description =
     "reeve explores, ranks and checks tendon routings: the ways in which one motor's tendon can be "
     "led through the fingers of a soft wearable hand. A routing is written as the walk of its "
-    "tendon, such as M-1-T-2-F or 1-P-2-P-1; names of the catalog, such as TR7, can stand in its "
+    "tendon, such as M-1-T-2-F or 1-P-2-P-1; names of the catalogue, such as TR7, can stand in its "
     "place.";
 
 struct Variable {
@@ -68,7 +68,7 @@ struct Variable {
 };
 
 constexpr std::array environment{
-    Variable{"REEVE_CATALOG", "Folder of a catalog in place of the one in the program."},
+    Variable{"REEVE_CATALOG", "Folder of a catalogue in place of the one in the program."},
     Variable{"REEVE_MPI", "off: each process that mpirun starts works on its own."},
     Variable{"NO_COLOR", "Any value: no colour on the terminal; so does TERM=dumb."}};
 

@@ -36,7 +36,7 @@ constexpr const char* description =
     "  1x       an end tied at that fingertip\n"
     "  Y1, W1   round a pulley (on the arms of a bar) that floats at the hand; as an end, tied to it\n"
     "  -, +     between tokens, between tendons; a walk back to its first finger is a loop\n"
-    "Names of the catalog, such as TR7, can stand in place of a routing.";
+    "Names of the catalogue, such as TR7, can stand in place of a routing.";
 
 std::string version_text() {
   const Version build = version();

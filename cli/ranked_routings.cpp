@@ -104,7 +104,7 @@ std::vector<Routing> ranked_routings(const AskedRoutings& asked, const Catalogue
   if (result.empty()) {
     throw InputError({.where = "rank",
                       .what = "nothing to rank",
-                      .expected = "routings, --catalog or --store",
+                      .expected = "routings, --catalogue or --store",
                       .form = InputForm::unknown});
   }
   GivenRoutings given;

@@ -49,9 +49,9 @@ PageFiles catalogue_page(const std::vector<ListedMechanism>& list, const std::st
          fmt::format("{}: {} {}\n", mechanism.name, mechanism.word, mechanism.title)});
   }
   const std::string body =
-      render("catalog.mustache",
+      render("catalogue.mustache",
              {{"count", list.size()}, {"families", std::move(families)}, {"command", command}});
-  page.html = page_html({"Catalog of routings", body, "", Json::object()});
+  page.html = page_html({"Catalogue of routings", body, "", Json::object()});
   return page;
 }
 

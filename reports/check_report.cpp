@@ -163,7 +163,7 @@ std::string catalogue_document(const std::vector<ShownEntry>& entries) {
     const GraspView view{entry.grasp, Direction::pull, entry.state};
     schematics.push_back(schematic(entry.network, entry.title, view, false));
   }
-  return schematic_sheet(schematics, in_a_row, "Routings of the catalog");
+  return schematic_sheet(schematics, in_a_row, "Routings of the catalogue");
 }
 
 Document check_sheet(const CheckReport& report) {

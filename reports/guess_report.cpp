@@ -102,7 +102,7 @@ std::vector<std::string> problem_words(const GuessReport& report) {
   std::vector<std::string> words = fault_words(report.faults);
   if (report.lacks_routing) {
     words.push_back(
-        "the routing: --routing with a name of the catalog or a word such as "
+        "the routing: --routing with a name of the catalogue or a word such as "
         "M-1-T-2-F, or a column routing");
   }
   return words;

@@ -243,7 +243,7 @@ std::vector<ShownContact> shown_contacts(const SolvedRouting& report) {
 Document show_document(const ShownRouting& report) {
   std::vector<DocumentLine> lines{{heading(report)}};
   if (report.own_hardware) {
-    lines.push_back({"With its own hardware, from the catalog; --hardware FILE takes another"});
+    lines.push_back({"With its own hardware, from the catalogue; --hardware FILE takes another"});
   }
   if (const std::string key = letter_key(report.network, report.model.hardware); !key.empty()) {
     lines.push_back({"Motor-side segments, in walk order: " + key});

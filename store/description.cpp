@@ -38,7 +38,7 @@ std::optional<std::string> difference(const Description& there, const Descriptio
   if (there.version != asked.version) {
     return fmt::format("another version of reeve: {}, and not {}", there.version, asked.version);
   }
-  return "another catalog";
+  return "another catalogue";
 }
 
 }  // namespace reeve::store

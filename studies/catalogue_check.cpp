@@ -139,7 +139,7 @@ class PublicationCheck {
                                              error.lines_at.column),
                         .what = "error.lines",
                         .value = fmt::format("\"{}\"", error.lines),
-                        .expected = "\"table\", or the source of [[lines]] in the catalog",
+                        .expected = "\"table\", or the source of [[lines]] in the catalogue",
                         .form = InputForm::equals});
     }
     const auto n = static_cast<double>(routings);

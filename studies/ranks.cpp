@@ -194,7 +194,7 @@ void SharedSearch::take(int from, const RankMessage& message) {
     case RankWord::ready:
       if (message.text != exploration_) {
         throw InputError({.where = who,
-                          .what = "it has read another exploration: its files, its catalog or "
+                          .what = "it has read another exploration: its files, its catalogue or "
                                   "its version of reeve are others"});
       }
       ++ready_;

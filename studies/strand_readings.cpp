@@ -52,7 +52,7 @@ const CatalogueEntry& entry_of(const Catalogue& catalogue, const Publication& pu
     throw InputError({.where = publication.file,
                       .what = "routing",
                       .value = fmt::format("\"{}\"", routing),
-                      .expected = "the name of a routing in the catalog",
+                      .expected = "the name of a routing in the catalogue",
                       .form = InputForm::equals});
   }
   return *entry;

@@ -29,7 +29,7 @@ void add_options(CLI::App& command, CatalogueFlags& flags) {
   flags.family.add_to(command, "Only this family: paper, or a folder of catalog/families");
   command.add_option("--fingers", flags.fingers, "Only mechanisms with this number of fingers")
       ->check(CLI::Range(1, max_fingers));
-  flags.out.add_to(command, "index.html with a drawing of each, catalog.json and figures/");
+  flags.out.add_to(command, "index.html with a drawing of each, catalogue.json and figures/");
   flags.format.add_to(command, with_tables({"json"}));
 }
 
@@ -40,14 +40,14 @@ std::vector<ListedMechanism> listed(const CatalogueFlags& flags) {
   if (!list.empty()) return list;
   throw InputError({.what = "--fingers",
                     .value = std::to_string(*flags.fingers),
-                    .expected = "a number of fingers that something in the catalog has"});
+                    .expected = "a number of fingers that something in the catalogue has"});
 }
 
 void write_page(const std::filesystem::path& folder, const std::vector<ListedMechanism>& list,
                 const CLI::App& command) {
   const PageFiles page = catalogue_page(list, command_line(command, {"--format"}));
   const std::string json = catalogue_json(list);
-  write_result(folder, {{}, page.figures, {{"index.html", page.html}, {"catalog.json", json}}},
+  write_result(folder, {{}, page.figures, {{"index.html", page.html}, {"catalogue.json", json}}},
                result_stamp(json));
 }
 
@@ -61,7 +61,7 @@ void run(const CatalogueFlags& flags, const CLI::App& command) {
   std::cout << (flags.format.is("json") ? catalogue_json(list)
                                         : printed(catalogue_sheet(list), flags.format));
   if (flags.out.is_given()) {
-    std::cout << announced("index.html, catalog.json and figures", folder, flags.format);
+    std::cout << announced("index.html, catalogue.json and figures", folder, flags.format);
   }
 }
 
@@ -69,18 +69,18 @@ void run(const CatalogueFlags& flags, const CLI::App& command) {
 
 void add_catalogue(CLI::App& program, int&) {
   CLI::App* command = program.add_subcommand(
-      "catalog", "List known routings and mechanisms by name, with their words and drawings");
+      "catalogue", "List known routings and mechanisms by name, with their words and drawings");
   auto flags = std::make_shared<CatalogueFlags>();
   add_options(*command, *flags);
   command->callback([flags, command] { run(*flags, *command); });
 }
 
 api::ListedCatalogue api::catalogue(const Arguments& arguments) {
-  return {listed(ParsedCommand<CatalogueFlags>("catalog", add_options, arguments).flags())};
+  return {listed(ParsedCommand<CatalogueFlags>("catalogue", add_options, arguments).flags())};
 }
 
 void api::write(const ListedCatalogue& catalogue, const Arguments& arguments) {
-  const ParsedCommand<CatalogueFlags> parsed("catalog", add_options, arguments);
+  const ParsedCommand<CatalogueFlags> parsed("catalogue", add_options, arguments);
   write_page(parsed.flags().out.prepare(), catalogue.mechanisms, parsed.command());
 }
 

@@ -47,7 +47,7 @@ CheckReport checked(const CheckFlags& flags, const Catalogue& catalogue) {
 void add_check(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand(
       "check",
-      "Recompute the published numbers of the catalog, and say which differ and "
+      "Recompute the published numbers of the catalogue, and say which differ and "
       "why");
   auto flags = std::make_shared<CheckFlags>();
   add_options(*command, *flags);

@@ -43,10 +43,10 @@ struct DiagnoseFlags {
   int threads = 0;
   std::string out;
   std::string save_model;
-  std::string laws;
+  std::string terms;
   CLI::Option* out_given = nullptr;
   CLI::Option* save_model_given = nullptr;
-  CLI::Option* laws_given = nullptr;
+  CLI::Option* terms_given = nullptr;
   CLI::Option* replicates_given = nullptr;
   ReadingFlags readings;
   HardwareOption hardware;
@@ -75,7 +75,7 @@ DiagnosisSettings settings(const DiagnoseFlags& flags) {
 void require_places(const DiagnoseFlags& flags) {
   std::vector<InputFile> inputs{{flags.data, "the data"}};
   flags.hardware.list_in(inputs);
-  if (flags.laws_given->count() > 0) inputs.push_back({flags.laws, "the laws"});
+  if (flags.terms_given->count() > 0) inputs.push_back({flags.terms, "the terms"});
   if (flags.out_given->count() > 0) {
     require_folder_can_be_written(flags.out, "--out");
     if (std::filesystem::is_directory(flags.out)) {
@@ -109,8 +109,8 @@ std::optional<DiagnosisReport> report(const DiagnoseFlags& flags, const Catalogu
   DiagnosisRequest request;
   request.hardware = flags.hardware.read().hardware;
   request.settings = settings(flags);
-  if (flags.laws_given->count() > 0) {
-    request.settings.terms = read_terms_file(flags.laws, catalogue);
+  if (flags.terms_given->count() > 0) {
+    request.settings.terms = read_terms_file(flags.terms, catalogue);
   }
   request.with_generated = flags.generated_routings;
   request.threads = flags.threads;
@@ -224,14 +224,14 @@ void add_settings(CLI::App& command, DiagnoseFlags& flags) {
           "Relative scatter of friction exponents between mountings, such as 0.05 (default: "
           "estimated)")
       ->check(number(0, true, 1));
-  flags.laws_given = command.add_option(
-      "--laws", flags.laws,
+  flags.terms_given = command.add_option(
+      "--terms", flags.terms,
       "TOML file with laws, [[law]] as in a model file, that the search tries besides its causes");
   command.add_flag("--as-readings", flags.as_readings,
                    "Take each row as a reading even where the file looks like a time series");
   command.add_flag("--generated-routings", flags.generated_routings,
                    "Propose generated routings too for the next measurement, besides those of "
-                   "catalog and data");
+                   "catalogue and data");
 }
 
 void add_options(CLI::App& command, DiagnoseFlags& flags) {

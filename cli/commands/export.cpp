@@ -32,7 +32,8 @@ std::string exported(const ExportFlags& flags) {
   const Hardware hardware = own ? *mechanism->hardware : flags.hardware.read().hardware;
   require_contacts_to_match(hardware, {routing});
   require_known_fingers(hardware, finger_count(routing));
-  const std::string source = own ? "the mechanism's own, from the catalog" : flags.hardware.name();
+  const std::string source =
+      own ? "the mechanism's own, from the catalogue" : flags.hardware.name();
   return mjcf(routing, hardware, {name_of(catalogue, routing), source});
 }
 
@@ -60,7 +61,7 @@ void add_export(CLI::App& program, int&) {
       "Export one routing as a planar hand for MuJoCo, without friction, which "
       "MuJoCo's tendons do not have");
   auto flags = std::make_shared<ExportFlags>();
-  command->add_option("routing", flags->routing, "Catalog name or word")->required();
+  command->add_option("routing", flags->routing, "Catalogue name or word")->required();
   command->add_option("--format", flags->format, "mjcf: the XML of MuJoCo")
       ->check(one_of({"mjcf"}))
       ->capture_default_str();

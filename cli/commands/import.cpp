@@ -125,7 +125,7 @@ void add_labels(CLI::App& command, ImportFlags& flags) {
                      "Run of all readings, if the log has no column run (default: 1)");
   command.add_option("--routing", flags.labels.routing,
                      "Routing of all readings, if the log has no column routing: a name of the "
-                     "catalog or a word");
+                     "catalogue or a word");
   command.add_option("--held", flags.labels.held,
                      "Held fingers of all readings, such as 1 or '1;2', if the log has no column "
                      "held (default: none)");

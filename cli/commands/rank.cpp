@@ -66,7 +66,7 @@ void require_fingers_to_count(const RankFlags& flags) {
   throw InputError(
       {.what = "--fingers",
        .value = fmt::format("{}", flags.fingers),
-       .expected = "--catalog with it, and no routings: where there are some, theirs count"});
+       .expected = "--catalogue with it, and no routings: where there are some, theirs count"});
 }
 
 AskedRoutings asked_routings(const RankFlags& flags, const Catalogue& catalogue) {
@@ -256,18 +256,18 @@ int run(const RankFlags& flags, const CLI::App& command) {
 }
 
 void add_options(CLI::App& command, RankFlags& flags) {
-  command.add_option("routing", flags.routings, "Catalog names or words");
+  command.add_option("routing", flags.routings, "Catalogue names or words");
   CLI::Option* catalog =
-      command.add_flag("--catalog", flags.catalog,
-                       "All routings of one family of the catalog that have the same number of "
+      command.add_flag("--catalogue", flags.catalog,
+                       "All routings of one family of the catalogue that have the same number of "
                        "fingers, or --fingers");
   flags.family
       .add_to(command,
-              "Family of --catalog: paper, or a folder of catalog/families (default: paper)")
+              "Family of --catalogue: paper, or a folder of catalog/families (default: paper)")
       ->needs(catalog);
   flags.fingers_given = command
                             .add_option("--fingers", flags.fingers,
-                                        "Number of fingers, for --catalog without routings")
+                                        "Number of fingers, for --catalogue without routings")
                             ->needs(catalog)
                             ->check(CLI::Range(1, max_fingers))
                             ->capture_default_str();

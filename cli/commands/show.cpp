@@ -153,11 +153,12 @@ void run(const ShowFlags& flags, const CLI::App& command) {
 }
 
 void add_options(CLI::App& command, ShowFlags& flags) {
-  CLI::Option* routing = command.add_option("routing", flags.routing, "Catalog name or word");
+  CLI::Option* routing = command.add_option("routing", flags.routing, "Catalogue name or word");
   CLI::Option* like =
       command
-          .add_option("--like", flags.like,
-                      "In place of a routing: the catalog's mechanism of this name, for --fingers")
+          .add_option(
+              "--like", flags.like,
+              "In place of a routing: the catalogue's mechanism of this name, for --fingers")
           ->excludes(routing);
   CLI::Option* fingers =
       command.add_option("--fingers", flags.fingers, "Number of fingers of --like")
@@ -187,7 +188,7 @@ void add_show(CLI::App& program, int&) {
   CLI::App* command = program.add_subcommand(
       "show",
       "Show one routing: tensions, shares, sliding directions and objectives. A "
-      "mechanism of the catalog with coefficients of its own is shown with them");
+      "mechanism of the catalogue with coefficients of its own is shown with them");
   auto flags = std::make_shared<ShowFlags>();
   add_options(*command, *flags);
   command->callback([flags, command] { run(*flags, *command); });

@@ -106,7 +106,7 @@ void add_search(CLI::App& command, SizeFlags& flags) {
 }
 
 void add_options(CLI::App& command, SizeFlags& flags) {
-  command.add_option("routing", flags.routings, "Catalog names or words");
+  command.add_option("routing", flags.routings, "Catalogue names or words");
   flags.from_given = command.add_option(
       "--from", flags.from, "Folder of an exploration, whose best designs are sized too");
   command.add_option("--top", flags.top, "Number of designs of --from")

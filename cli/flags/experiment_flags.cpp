@@ -191,7 +191,7 @@ std::vector<Segment> read_channels(const std::string& text,
 void ExperimentFlags::add_to(CLI::App& command) {
   command
       .add_option("--routings", routings,
-                  "Routings, mounted in turns: catalog names or words, separated by commas")
+                  "Routings, mounted in turns: catalogue names or words, separated by commas")
       ->required();
   command
       .add_option("--grasps", grasps,

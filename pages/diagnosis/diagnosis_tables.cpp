@@ -209,7 +209,7 @@ std::string ranking_table(const CatalogueRanking& ranking) {
                moved ? fmt::format("{} (was {})", ranking.after[i], was + 1) : ranking.after[i]},
               moved ? Tint::notable : Tint::none);
   }
-  return written({"ranks", "Rank of the catalog's routings", std::move(table)});
+  return written({"ranks", "Rank of the catalogue's routings", std::move(table)});
 }
 
 std::string notes_table(const DiagnosisResult& result) {

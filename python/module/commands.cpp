@@ -161,12 +161,12 @@ void bind_quick_ones(py::module_& module) {
   bind_report<CheckReport>(check, &check_json, &check_sheet);
   module.def("check", &cli::api::check, py::call_guard<py::gil_scoped_release>());
   using cli::api::ListedCatalogue;
-  py::class_<ListedCatalogue> catalogue(module, "ListedCatalog");
+  py::class_<ListedCatalogue> catalogue(module, "ListedCatalogue");
   bind_report<ListedCatalogue>(
       catalogue, [](const ListedCatalogue& self) { return catalogue_json(self.mechanisms); },
       [](const ListedCatalogue& self) { return catalogue_sheet(self.mechanisms); });
   catalogue.def("save", &save<ListedCatalogue>);
-  module.def("catalog", &cli::api::catalogue, py::call_guard<py::gil_scoped_release>());
+  module.def("catalogue", &cli::api::catalogue, py::call_guard<py::gil_scoped_release>());
   py::class_<CompareReport> comparison(module, "CompareReport");
   bind_report<CompareReport>(comparison, &compare_json, &compare_sheet);
   comparison.def("save", &save<CompareReport>)

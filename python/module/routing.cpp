@@ -49,7 +49,7 @@ std::string exported(const BoundRouting& routing, const py::object& hardware) {
 BoundRouting bound(const py::object& word) {
   if (py::isinstance<BoundRouting>(word)) return word.cast<const BoundRouting&>();
   return BoundRouting(
-      text_from(word, "word", "a word such as 'M-1-T-2-F', or a name of the catalog"));
+      text_from(word, "word", "a word such as 'M-1-T-2-F', or a name of the catalogue"));
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ Parameters
 ----------
 word : str
     The walk of the tendons, such as ``"1-P-2-P-1"``, or a name of the
-    catalog, such as ``"TR7"``.
+    catalogue, such as ``"TR7"``.
 
 Notes
 -----
@@ -101,7 +101,7 @@ True
                              "str: The one word of this routing, where fingers are alike.")
       .def_property_readonly(
           "name", [](const BoundRouting& self) { return name_of(the_catalogue(), self.routing); },
-          "str: Its name in the catalog; empty if it has none.")
+          "str: Its name in the catalogue; empty if it has none.")
       .def_property_readonly(
           "fingers", [](const BoundRouting& self) { return self.network.fingers; },
           "int: How many fingers it pulls.")

@@ -8,12 +8,12 @@ from collections.abc import Mapping as _Mapping
 
 from . import _methods
 from ._commands import (
-    catalog, check, compare, count, diagnose, explore, import_log, merge, power, rank, show,
+    catalogue, check, compare, count, diagnose, explore, import_log, merge, power, rank, show,
     simulate, size,
 )
 from ._core import Hardware, Routing, Tensions, __commit__, __version__
 from ._design_results import (
-    Catalog, Check, Counts, Exploration, Ranking, Shown, Sizing, StoredRanking,
+    Catalogue, Check, Counts, Exploration, Ranking, Shown, Sizing, StoredRanking,
 )
 from ._model import Model
 from ._reading_results import Comparison, Diagnosis, Power, Simulation, SteadyReadings
@@ -29,7 +29,7 @@ for _method in (_methods.tensions, _methods.to_mjcf):
     setattr(Routing, _method.__name__, _method)
 
 __all__ = [
-    "Catalog",
+    "Catalogue",
     "Check",
     "Comparison",
     "Counts",
@@ -52,7 +52,7 @@ __all__ = [
     "SteadyReadings",
     "StoredRanking",
     "Tensions",
-    "catalog",
+    "catalogue",
     "check",
     "compare",
     "count",

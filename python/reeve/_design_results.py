@@ -229,7 +229,7 @@ class Shown(SavedResult):
         return self.svg()
 
 
-class Catalog(SavedResult):
+class Catalogue(SavedResult):
     """Known routings and mechanisms by name.
 
     Attributes

@@ -20,7 +20,7 @@ OF_THE_SHELL = {
 COMMANDS = {"import_log": "import", "power": "simulate"} | {
     name: name
     for name in ("explore", "merge", "rank", "size", "diagnose", "compare", "show", "count",
-                 "check", "catalog", "simulate")
+                 "check", "catalogue", "simulate")
 }
 
 
@@ -118,12 +118,12 @@ def test_counts_and_checks(program):
 
 
 def test_the_catalog_by_name(program):
-    listed = reeve.catalog(fingers=4)
-    told = json.loads(program("catalog", "--fingers", "4", "--format", "json"))
+    listed = reeve.catalogue(fingers=4)
+    told = json.loads(program("catalogue", "--fingers", "4", "--format", "json"))
     assert list(listed.mechanisms["name"]) == [entry["name"] for entry in told["mechanisms"]]
     assert set(listed.mechanisms["fingers"]) == {4}
     with pytest.raises(reeve.InputError, match="^--fingers"):
-        reeve.catalog(fingers=60)
+        reeve.catalogue(fingers=60)
 
 
 def test_drawings():

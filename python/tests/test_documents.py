@@ -44,7 +44,7 @@ def test_the_table_names_what_results_have(root):
     kinds = {
         "explore": "Exploration", "rank": "Ranking", "merge": "Exploration", "size": "Sizing",
         "diagnose": "Diagnosis", "compare": "Comparison", "show": "Shown", "check": "Check",
-        "catalog": "Catalog", "count": "Counts", "simulate": "Simulation", "power": "Power", "import_log": "SteadyReadings",
+        "catalogue": "Catalogue", "count": "Counts", "simulate": "Simulation", "power": "Power", "import_log": "SteadyReadings",
     }
     seen = set()
     for functions, members in rows:

@@ -74,7 +74,7 @@ def test_a_routing(saved):
 
 
 def test_the_catalog(saved):
-    saved(reeve.catalog(family="paper"), "catalog", "--family", "paper")
+    saved(reeve.catalogue(family="paper"), "catalogue", "--family", "paper")
 
 
 def test_a_diagnosis(saved, root):

@@ -13,7 +13,7 @@ CATALOG = ROOT / "catalog"
 
 # Schema of each golden file, by the beginning of its name.
 SCHEMA_OF = {
-    "catalog": "catalog", "check": "check", "compare": "comparison", "count": "count", "diagnose": "diagnosis",
+    "catalogue": "catalogue", "check": "check", "compare": "comparison", "count": "count", "diagnose": "diagnosis",
     "explore_summary": "summary", "import": "import", "rank": "rank", "show": "show", "size": "sizing",
 }
 HAND = CATALOG / "hardware/three_finger_hand.toml"

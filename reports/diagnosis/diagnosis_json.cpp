@@ -164,7 +164,7 @@ Json diagnosis_settings_json(const DiagnosisReport& report) {
           {"seed", settings.seed},
           {"generated_routings", report.with_generated},
           {"hardware", to_json(report.hardware)},
-          {"laws", list_json(settings.terms, effect_name)}};
+          {"terms", list_json(settings.terms, effect_name)}};
 }
 
 void add_findings(Json& json, const DiagnosisReport& report) {

@@ -227,8 +227,9 @@ Section next_section(const DiagnosisReport& report) {
 Section ranking_section(const DiagnosisReport& report) {
   if (!report.ranking) return {};
   const CatalogueRanking& ranking = *report.ranking;
-  Section section{
-      "Ranking of the catalog (2 fingers, over mean uniformity and efficiency)", std::nullopt, {}};
+  Section section{"Ranking of the catalogue (2 fingers, over mean uniformity and efficiency)",
+                  std::nullopt,
+                  {}};
   if (!ranking.changes()) {
     section.lines.push_back({fmt::format("does not change: {}", fmt::join(ranking.after, ", "))});
   } else {

@@ -166,7 +166,7 @@ std::string difference(const ShardFile& shard, const Json& settings, const std::
   if (shard.version != program) {
     return fmt::format("another version of reeve, {} and not {}", shard.version, program);
   }
-  return "another catalog";
+  return "another catalogue";
 }
 
 }  // namespace

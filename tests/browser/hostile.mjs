@@ -14,7 +14,7 @@ const inherited = {
   __proto__name: "F-1b-P-2b-F",
 };
 
-// The shipped catalog with one routing more, and some that are named like what every object has.
+// The shipped catalogue with one routing more, and some that are named like what every object has.
 export function hostileCatalog(folder) {
   mkdirSync(folder, { recursive: true });
   const shipped = join(sources, "catalog");

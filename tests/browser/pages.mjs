@@ -11,7 +11,7 @@ const hand = join(sources, "catalog/hardware/three_finger_hand.toml");
 
 export const theSeven = join(sources, "catalog/measured/exo_glove_ii.csv");
 
-const hostileNames = () => ({ REEVE_CATALOG: hostileCatalog(join(inputs, "catalog")) });
+const hostileNames = () => ({ REEVE_CATALOG: hostileCatalog(join(inputs, "catalogue")) });
 
 const reeve = (name, words, more = {}) => ({
   name,
@@ -38,11 +38,11 @@ export const pages = [
     scripted: true,
     environment: hostileNames,
   }),
-  reeve("rank", () => ["rank", "--catalog", "--uncertainty", "--margin"]),
+  reeve("rank", () => ["rank", "--catalogue", "--uncertainty", "--margin"]),
   reeve("rank-hostile", () => ["rank", "X", "TR1", "TR5", "--data", hostileData(inputs)], {
     environment: hostileNames,
   }),
-  reeve("catalog", () => ["catalog"]),
+  reeve("catalogue", () => ["catalogue"]),
   reeve("show", () => ["show", "TR5"]),
   reeve("show-bench", () => ["show", "M-F"]),
   reeve("show-wide", () => ["show", "1-P-2-P-3-P-4b-P-5b-P-6-P-1"]),

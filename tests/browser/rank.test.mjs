@@ -1,4 +1,4 @@
-// The page of a ranking, of the catalog's routings: what it shows is what the command prints.
+// The page of a ranking, of the catalogue's routings: what it shows is what the command prints.
 import assert from "node:assert/strict";
 import { after, before, describe, test } from "node:test";
 import { open, startBrowser } from "./harness.mjs";
@@ -21,7 +21,7 @@ import { jsonBesidePage, pageFile, reeveJson } from "./places.mjs";
 const mean = (design, objective) => design[objective].mean;
 
 describe("rank", () => {
-  const { designs } = reeveJson(["rank", "--catalog"]);
+  const { designs } = reeveJson(["rank", "--catalogue"]);
   const label = (design) => `${design.name}: ${design.routing}`;
   let browser;
   let page;

@@ -193,7 +193,7 @@ TEST(CatalogueWithFamilies, TakesNoNameTwice) {
 TEST(CatalogueWithFamilies, KeepsTheNameOfTheFamilyOfItsOwnRoutings) {
   const CatalogueWithFamily given("paper");
   EXPECT_EQ(given.folder.error_of([&] { read_catalogue(given.folder.path()); }),
-            "catalog families/paper: this name is taken; expected another, since the routings "
+            "catalogue families/paper: this name is taken; expected another, since the routings "
             "beside families/ are paper's");
 }
 
@@ -245,9 +245,9 @@ TEST(Catalogue, RefusesAFolderWithoutEntries) {
   const TemporaryFolder folder;
   const std::string path = folder.path().string();
   EXPECT_EQ(folder.error_of([&] { read_catalogue(path); }),
-            "catalog " + path + ": has no file *.toml: expected one for each routing");
+            "catalogue " + path + ": has no file *.toml: expected one for each routing");
   EXPECT_EQ(folder.error_of([&] { read_catalogue(path + "/none"); }),
-            "catalog none: cannot be read: No such file or directory");
+            "catalogue none: cannot be read: No such file or directory");
 }
 
 TEST(Catalogue, RefusesAFileThatCannotBeRead) {
@@ -266,7 +266,7 @@ TEST(Catalogue, RefusesNamesAndRoutingsThatAreTaken) {
             "b.toml:1:8: name = \"x\": expected a name that is not taken (a.toml has it)");
   folder.write("b.toml", "name = \"Y\"\nword = \"M-1-F\"\n");
   EXPECT_EQ(folder.error_of(read),
-            "b.toml:2:8: word = \"M-1-F\": expected a routing that is not in the catalog yet "
+            "b.toml:2:8: word = \"M-1-F\": expected a routing that is not in the catalogue yet "
             "(a.toml has it as X)");
 }
 
@@ -275,7 +275,7 @@ TEST(Catalogue, RefusesAFaultThatRefersToNoOtherTable) {
     EXPECT_EQ(error_in_catalogue(published + table + "[[fault]]\nkind = \"repeats\"\nrouting = \"" +
                                  other + "\"\n"),
               "x.toml:8:1: fault.routing = \"" + other +
-                  "\": expected another routing in the catalog, with a [table] of as many "
+                  "\": expected another routing in the catalogue, with a [table] of as many "
                   "strands");
   }
 }

@@ -128,7 +128,7 @@ std::string error_of_lines_with_a_fault(const std::string& kind, const std::stri
 TEST(Catalogue, TakesAFaultOfLinesWithoutATable) {
   EXPECT_EQ(error_of_lines_with_a_fault("repeats", drawn("Fig. 1")), "(no error)");
   const std::string refused =
-      "x.toml:9:1: fault.routing = \"A\": expected another routing in the catalog, with [[lines]] "
+      "x.toml:9:1: fault.routing = \"A\": expected another routing in the catalogue, with [[lines]] "
       "of as many strands in the same figure";
   EXPECT_EQ(error_of_lines_with_a_fault("repeats", drawn("Fig. 2")), refused);
   EXPECT_EQ(error_of_lines_with_a_fault("repeats", table), refused);

@@ -21,7 +21,7 @@ TEST(BadRouting, IsNamedWithTheColumnAndWhatWasExpected) {
           "routing 'M-1-Q-2-F', column 5: unknown token 'Q': expected M, F, T, B, P, a finger such as 1, 2b or 3x, a block such as Y1 or Y1k, or a bar such as W1"),
       show("m-1-t-2-f", "routing 'm-1-t-2-f', column 1: unknown token 'm'"),
       show("TR9",
-           "routing 'TR9': no such name in the catalog; expected one of TR1, TR2, TR3, TR4, TR5, "
+           "routing 'TR9': no such name in the catalogue; expected one of TR1, TR2, TR3, TR4, TR5, "
            "TR6, TR7, a mechanism of benches, gloves, hands, hauls, tackles, or a word such as "
            "M-1-T-2-F"),
       show("M-1-T-1-F", "routing 'M-1-T-1-F', column 7: finger 1 is passed twice"),
@@ -74,21 +74,21 @@ TEST(BadShowOption, IsNamedWithItsValueAndWhatWasExpected) {
       {"show --fingers 3", "--fingers requires --like"},
       {"show TR1 --like TR7 --fingers 3", "routing excludes --like"},
       {"show --like TR6 --fingers 3",
-       "--fingers '3': expected one of 2, 4: the catalog has TR6 for no other number"},
+       "--fingers '3': expected one of 2, 4: the catalogue has TR6 for no other number"},
       {"show --like ZRig --fingers 2",
-       "--fingers '2': expected 1: the catalog has ZRig for no other number"},
+       "--fingers '2': expected 1: the catalogue has ZRig for no other number"},
       {"show --like SDMHnd --fingers 4",
-       "--like 'SDMHnd': expected a name of the catalog, which reeve catalog lists; did you "
+       "--like 'SDMHnd': expected a name of the catalogue, which reeve catalogue lists; did you "
        "mean SDMHand?"},
       {"show TR5 --svg out/x.PDF",
        "--svg 'out/x.PDF': expected a file of SVG, such as 'out/x.svg'; rsvg-convert -f pdf or "
        "Inkscape converts it"},
       {"check --svg x.png", "--svg 'x.png': expected a file of SVG, such as 'x.svg'"},
       {"import log.csv --plot x.pdf", "--plot 'x.pdf': expected a file of SVG, such as 'x.svg'"},
-      {"catalog --family none",
+      {"catalogue --family none",
        "--family 'none': expected one of paper, benches, gloves, hands, hauls, tackles"},
-      {"catalog --fingers 64",
-       "--fingers '64': expected a number of fingers that something in the catalog has"},
+      {"catalogue --fingers 64",
+       "--fingers '64': expected a number of fingers that something in the catalogue has"},
       {"show TR1 --held 3",
        "held '3': '3': expected none, or finger numbers from 1 to 2 such as 1,2"},
       {"show TR1 --held 1,1", "held '1,1': finger 1 is named twice"},
@@ -243,16 +243,16 @@ TEST(BadPageOfARanking, IsRefusedBeforeAnythingIsWritten) {
 
 TEST(BadRank, IsNamedWithTheRoutings) {
   expect_all_bad({
-      {"rank", "rank: nothing to rank; expected routings, --catalog or --store"},
-      {"rank --catalog --family toys",
+      {"rank", "rank: nothing to rank; expected routings, --catalogue or --store"},
+      {"rank --catalogue --family toys",
        "--family 'toys': expected one of paper, benches, gloves, hands, hauls, tackles"},
-      {"rank --catalog --family hands --fingers 7",
+      {"rank --catalogue --family hands --fingers 7",
        "--fingers '7': expected as many as a mechanism of the family hands has: 1, 2, 3, 4, 5"},
-      {"rank TR1 --family hands", "--family requires --catalog"},
+      {"rank TR1 --family hands", "--family requires --catalogue"},
       {"check --family ''", "--family '': expected one of paper, benches"},
       {"rank TR1 TR1", "routing 'M-1-T-2-F' is given twice"},
       {"rank TR1 M-1-T-2-F", "routing 'M-1-T-2-F' is given twice"},
-      {"rank --catalog TR3", "routing 'F-1-P-2-F' is given twice"},
+      {"rank --catalogue TR3", "routing 'F-1-P-2-F' is given twice"},
       {"rank M-1-P-2-F F-2-P-1-M", "routing 'F-2-P-1-M' is given twice, as M-1-P-2-F"},
       {"rank TR1 M-1-F",
        "and 'M-1-T-2-F' has 2; only routings with the same number of fingers can be compared"},
@@ -269,9 +269,9 @@ TEST(BadOption, ThatWouldHaveNoEffectIsRefused) {
   expect_all_bad({
       {"rank TR1 TR3 --seed 3", "--seed requires --uncertainty"},
       {"explore --out out --seed 3", "--seed requires --uncertainty"},
-      {"rank TR1 TR3 --fingers 5", "--fingers requires --catalog"},
-      {"rank TR1 --catalog --fingers 5",
-       "--fingers '5': expected --catalog with it, and no routings: where there are "
+      {"rank TR1 TR3 --fingers 5", "--fingers requires --catalogue"},
+      {"rank TR1 --catalogue --fingers 5",
+       "--fingers '5': expected --catalogue with it, and no routings: where there are "
        "some, theirs count"},
       {"size TR1 --vary tip_angle=1..4 --nominal --draws 7", "--nominal excludes --draws"},
       {"show TR1 --format dot --cost empty.toml",
@@ -317,7 +317,7 @@ TEST(UnknownWords, AreHeldAgainstTheKnownOnes) {
        "for --jobs? See reeve explore --help"},
       // The same word means nothing where there is no such option.
       {"check --config a.toml", "check: unexpected --config a.toml; see reeve check --help"},
-      {"rank --catalog --config a.toml", "; did you mean --hardware? See reeve rank --help"},
+      {"rank --catalogue --config a.toml", "; did you mean --hardware? See reeve rank --help"},
       {"exlpore --fingers 3", "unknown subcommand exlpore; did you mean explore? See reeve --help"},
       {"optimize", "unknown subcommand optimize; did you mean explore? See reeve --help"},
       {"--fingers 3 explore",
@@ -359,7 +359,7 @@ TEST(BadInput, IsNamedInTheseCasesToo) {
       {"show TR1 --hardware ''", "--hardware"},
       {"frobnicate", "frobnicate"},
       {"--frobnicate", "--frobnicate"},
-      {"rank --catalog --hardware contact.toml", "a-T9"},
+      {"rank --catalogue --hardware contact.toml", "a-T9"},
       {"explore --out out --hardware contact.toml", "a-T9"},
       {"rank TR1 M-1-F", "it has 1 finger and"},
   });

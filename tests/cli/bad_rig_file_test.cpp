@@ -105,11 +105,13 @@ TEST(BadCatalogue, IsNamedByEverySubcommandThatReadsIt) {
   const auto with = [](const std::string& catalogue) {
     return std::map<std::string, std::string>{{"REEVE_CATALOG", catalogue}};
   };
-  for (const Arguments arguments : {"show M-1-F", "rank --catalog", "explore --out out", "check"}) {
+  for (const Arguments arguments :
+       {"show M-1-F", "rank --catalogue", "explore --out out", "check"}) {
     expect_all_bad({
-        {arguments, "catalog missing: cannot be read: No such file or directory", with("missing")},
-        {arguments, "catalog empty.toml: cannot be read: Not a directory", with("empty.toml")},
-        {arguments, "catalog no_catalog: has no file *.toml: expected one for each routing",
+        {arguments, "catalogue missing: cannot be read: No such file or directory",
+         with("missing")},
+        {arguments, "catalogue empty.toml: cannot be read: Not a directory", with("empty.toml")},
+        {arguments, "catalogue no_catalog: has no file *.toml: expected one for each routing",
          with("no_catalog")},
         {arguments, "broken_catalog/tr1.toml:1:8: not valid TOML: ", with("broken_catalog")},
     });

@@ -54,17 +54,17 @@ TEST(BadTarget, OfAnExplorationIsNamedWithWhatWasExpected) {
 
 TEST(BadTables, AreNamedWithWhatWasExpected) {
   expect_all_bad({
-      {"rank --catalog --columns name,speed",
+      {"rank --catalogue --columns name,speed",
        "--columns 'name,speed': there is no column 'speed'; expected any of rank, front, name, "
        "routing, alike, uniformity_mean, "},
-      {"rank --catalog --columns ,",
+      {"rank --catalogue --columns ,",
        "--columns ',': expected names of columns with commas between them, any of rank, front, "},
-      {"rank --catalog --columns name,,rank",
+      {"rank --catalogue --columns name,,rank",
        "--columns 'name,,rank': nothing stands before or behind a comma; expected a name of a "
        "column there, or no comma"},
-      {"rank --catalog --columns rank_median", "there is no column 'rank_median'"},
+      {"rank --catalogue --columns rank_median", "there is no column 'rank_median'"},
       {"explore --columns motor_force", "there is no column 'motor_force'"},
-      {"rank --catalog --format csv --columns name",
+      {"rank --catalogue --format csv --columns name",
        "--columns 'name': --format csv has every column; expected --format table, markdown or "
        "latex with it"},
       {"size TR1 --vary tip_angle=1..4 --columns dimension,routing",
@@ -74,19 +74,19 @@ TEST(BadTables, AreNamedWithWhatWasExpected) {
        "there is no column 'speed'; expected any of dimension, "},
       {"size TR1 --vary tip_angle=1..4 --columns sized --format latex --text-width 19mm",
        "--text-width '19mm': expected a length from 20mm to 2000mm with its unit"},
-      {"rank --catalog --columns name,efficiency_mean_p5",
+      {"rank --catalogue --columns name,efficiency_mean_p5",
        "there is no column 'efficiency_mean_p5'; expected --uncertainty, with which there is one"},
-      {"rank --catalog --columns cost", "expected --cost, with which there is one"},
-      {"rank --catalog --columns motor_force",
+      {"rank --catalogue --columns cost", "expected --cost, with which there is one"},
+      {"rank --catalogue --columns motor_force",
        "expected a hand in the hardware file, for bands also --uncertainty, "
        "with which there is one"},
-      {"rank --catalog --uncertainty --columns rank_range",
+      {"rank --catalogue --uncertainty --columns rank_range",
        "there is no column 'rank_range'; expected any of rank, front, name, "},
-      {"rank --catalog --text-width 88mm",
+      {"rank --catalogue --text-width 88mm",
        "--text-width '88mm': expected a whole number of characters from 20 to 1000"},
-      {"rank --catalog --format json --text-width 88",
+      {"rank --catalogue --format json --text-width 88",
        "--text-width '88': expected --format table or latex with it"},
-      {"rank --catalog --format latex --text-width 30mm --columns name,routing,uniformity_mean",
+      {"rank --catalogue --format latex --text-width 30mm --columns name,routing,uniformity_mean",
        "--text-width '30 mm': expected "},
       {"show TR1 --cost no.toml", "no.toml"},
       {"show TR1 --cost ''", "--cost '': expected a TOML file"},
@@ -145,7 +145,7 @@ TEST(BadSizing, OfRoutingsIsNamed) {
       line({},
            "size: nothing to size; expected routings, or --from with the folder of an "
            "exploration"),
-      line("TR9", "routing 'TR9': no such name in the catalog"),
+      line("TR9", "routing 'TR9': no such name in the catalogue"),
       line("TR1 M-1-T-2-F", "routing 'M-1-T-2-F' is given twice"),
       line("M-1-P-2-F F-2-P-1-M", "routing 'F-2-P-1-M' is given twice, as M-1-P-2-F"),
       line("TR1 M-1-F", "routing 'M-1-F': it has 1 finger: expected as many as 'M-1-T-2-F' has: 2"),

@@ -74,8 +74,8 @@ TEST(QuickFriction, GivesRankExploreAndSizeWhatAFileGives) {
   };
   const std::string quick = " --mu 0.07 --sheath-bend 120deg";
   const std::string file = " --hardware h.toml";
-  EXPECT_EQ(printed("rank --catalog --format csv" + quick),
-            printed("rank --catalog --format csv" + file));
+  EXPECT_EQ(printed("rank --catalogue --format csv" + quick),
+            printed("rank --catalogue --format csv" + file));
   const std::string size = "size TR7 --vary tip_angle=1..4 --nominal --starts 1 --evaluations 30";
   EXPECT_EQ(printed(size + quick), printed(size + file));
   printed("explore --out quick" + quick);

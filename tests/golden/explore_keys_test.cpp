@@ -107,7 +107,7 @@ TEST(KeysOfTheTradeoff, AreThePromisedOnes) {
   EXPECT_EQ(keys(json["settings"]["prices"]),
             "unit sheath tube tip_bearing fixed_pulley movable_pulley block bar anchor fixed_end "
             "knot tendon_mm");
-  EXPECT_EQ(keys(json_of({"rank", "--catalog"})["tradeoff"]), keys(json["tradeoff"]));
+  EXPECT_EQ(keys(json_of({"rank", "--catalogue"})["tradeoff"]), keys(json["tradeoff"]));
 }
 
 TEST(KeysOfTheBestWithAndWithoutBlocks, AreThePromisedOnes) {

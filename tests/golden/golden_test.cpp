@@ -46,13 +46,13 @@ TEST(GoldenShow, OfATendonThatJamsBesideAnother) {
 }
 
 TEST(GoldenRank, OfTheCatalogue) {
-  expect_json(output_of({"rank", "--catalog", "--format", "json"}), "rank_catalog.json");
-  expect_csv(output_of({"rank", "--catalog", "--format", "csv"}), "rank_catalog.csv");
+  expect_json(output_of({"rank", "--catalogue", "--format", "json"}), "rank_catalog.json");
+  expect_csv(output_of({"rank", "--catalogue", "--format", "csv"}), "rank_catalog.csv");
 }
 
 TEST(GoldenRank, OfTheCatalogueWithUncertainty) {
-  std::vector<std::string> arguments{"rank",   "--catalog", "--uncertainty", "--draws", "50",
-                                     "--seed", "7",         "--format",      "json"};
+  std::vector<std::string> arguments{"rank",   "--catalogue", "--uncertainty", "--draws", "50",
+                                     "--seed", "7",           "--format",      "json"};
   expect_json(output_of(arguments), "rank_catalog_uncertain.json");
   arguments.back() = "csv";
   expect_csv(output_of(arguments), "rank_catalog_uncertain.csv");
@@ -60,9 +60,10 @@ TEST(GoldenRank, OfTheCatalogueWithUncertainty) {
 
 // What a pipe gets: no colour, and lines as long as they are.
 TEST(GoldenTables, OfTheCatalogueInEveryFormat) {
-  expect_text(output_of({"rank", "--catalog"}), file_of("rank_catalog.txt"));
-  expect_text(output_of({"rank", "--catalog", "--format", "markdown"}), file_of("rank_catalog.md"));
-  expect_text(output_of({"rank", "--catalog", "--format", "latex"}), file_of("rank_catalog.tex"));
+  expect_text(output_of({"rank", "--catalogue"}), file_of("rank_catalog.txt"));
+  expect_text(output_of({"rank", "--catalogue", "--format", "markdown"}),
+              file_of("rank_catalog.md"));
+  expect_text(output_of({"rank", "--catalogue", "--format", "latex"}), file_of("rank_catalog.tex"));
 }
 
 TEST(GoldenTables, OfOneRoutingAndOfTheCheck) {
@@ -113,7 +114,7 @@ TEST(GoldenCheck, OfTheShippedCatalogue) {
 }
 
 TEST(GoldenCatalogue, OfTheHands) {
-  expect_json(output_of({"catalog", "--family", "hands", "--format", "json"}), "catalog.json");
+  expect_json(output_of({"catalogue", "--family", "hands", "--format", "json"}), "catalogue.json");
 }
 
 TEST(GoldenCompare, OfReadingsWithAndWithoutMotorTension) {

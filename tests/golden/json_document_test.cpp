@@ -55,8 +55,8 @@ TEST(TheJsonDocument, NamesEveryColumnAndTheSchemasEveryKey) {
   std::set<std::string> keys_seen;
   collect(json_of({"show", "TR1"}), keys_seen);
   collect(json_of({"show", "LuffTackle"}), keys_seen);
-  collect(json_of({"rank", "--catalog", "--uncertainty", "--draws", "5"}), keys_seen);
-  collect(json_of({"rank", "--catalog", "--hardware", hardware}), keys_seen);
+  collect(json_of({"rank", "--catalogue", "--uncertainty", "--draws", "5"}), keys_seen);
+  collect(json_of({"rank", "--catalogue", "--hardware", hardware}), keys_seen);
   collect(json_of({"rank", "TR3", "TR7", "--margin"}), keys_seen);
   collect(json_of({"rank", "TR3", "TR7", "--sweep", "mu=0.1..0.2"}), keys_seen);
   collect(with_page({"rank", "TR5", "TR7", "--data", readings}), keys_seen);
@@ -75,7 +75,7 @@ TEST(TheJsonDocument, NamesEveryColumnAndTheSchemasEveryKey) {
   collect(json_of({"diagnose", diagnosed + "cause.csv"}), keys_seen);
   collect(json_of({"diagnose", seeds_readings}), keys_seen);
   const std::string csv =
-      reeve({"rank", "--catalog", "--uncertainty", "--draws", "5", "--format", "csv"}).out;
+      reeve({"rank", "--catalogue", "--uncertainty", "--draws", "5", "--format", "csv"}).out;
   reeve({"compare", readings, "--out", folder.path().string()});
   const std::string residuals = read_text(folder.path() / "residuals.csv");
   const std::size_t second = residuals.find('\n') + 1;  // below a comment

@@ -99,7 +99,7 @@ TEST(KeysOfShow, HaveNullWhereThereIsNoNameOrNoNumber) {
 }
 
 TEST(KeysOfRank, AreThePromisedOnes) {
-  const Json json = json_of({"rank", "--catalog"});
+  const Json json = json_of({"rank", "--catalogue"});
   EXPECT_EQ(keys(json),
             "designs settings tradeoff never_jams robust_first motor version result_id");
   EXPECT_EQ(keys(json["designs"][0]), "rank front routing name" + objectives + equivalent);
@@ -130,7 +130,7 @@ TEST(KeysOfTheModel, AreThePromisedOnes) {
 }
 
 TEST(KeysOfRank, AddADistributionWithUncertainty) {
-  const Json json = json_of({"rank", "--catalog", "--uncertainty", "--draws", "5"});
+  const Json json = json_of({"rank", "--catalogue", "--uncertainty", "--draws", "5"});
   EXPECT_EQ(keys(json["designs"][0]),
             "rank front routing name" + objectives + equivalent + " rank_distribution bands");
   EXPECT_EQ(keys(json["designs"][0]["rank_distribution"]),

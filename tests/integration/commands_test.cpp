@@ -14,7 +14,7 @@ namespace reeve::testing {
 namespace {
 
 TEST(Rank, FindsTr7BestAndExitsWithZero) {
-  const ProcessResult result = reeve("rank --catalog --format json");
+  const ProcessResult result = reeve("rank --catalogue --format json");
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
   EXPECT_EQ(Json::parse(result.out)["designs"][0]["name"], "TR7");
@@ -235,20 +235,20 @@ TEST(Help, MentionsEveryOption) {
        {"routing", "--like", "--fingers", "--held", "--direction", "--svg", "--out", "--hardware",
         "--model", "--cost", "--format"}},
       {"rank",
-       {"routing", "--catalog", "--family", "--margin", "--fingers", "--out", "--data",
+       {"routing", "--catalogue", "--family", "--margin", "--fingers", "--out", "--data",
         "--distribution-mu", "--map", "--unit", "--group", "--store", "--constraint", "--top"}},
       {"explore",
        {"--tendons", "--constraint", "--shard", "--top", "--details", "--out", "--store",
         "--store-every", "--keep", "--target"}},
       {"count", {"--constraint", "--format"}},
       {"check", {"--family", "--svg", "--format"}},
-      {"catalog", {"--family", "--fingers", "--out", "--format"}},
+      {"catalogue", {"--family", "--fingers", "--out", "--format"}},
       {"compare",
        {"data", "--out", "--map", "--unit", "--group", "--hardware", "--model", "--format"}},
       {"diagnose",
        {"data", "--hardware", "--alpha", "--hold-out", "--seed", "--replicates", "--threads",
         "--generated-routings", "--out", "--save-model", "--map", "--unit", "--group",
-        "--mounting-scatter", "--as-readings", "--noise", "--exact", "--laws", "--format"}},
+        "--mounting-scatter", "--as-readings", "--noise", "--exact", "--terms", "--format"}},
       {"simulate",
        {"--routings",       "--grasps",      "--directions",  "--channels",     "--motor-tension",
         "--speed",          "--cycles",      "--temperature", "--sheath-angle", "--noise-relative",
@@ -325,7 +325,7 @@ TEST(Explore, NotesThatIdenticalFingersAreToldApart) {
 }
 
 TEST(Rank, ComparesAMarginOnlyOverTheTwoMeans) {
-  const ProcessResult result = reeve("rank --catalog --margin --objectives force_transmission");
+  const ProcessResult result = reeve("rank --catalogue --margin --objectives force_transmission");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_TRUE(has(result.err, "--margin"));
 }

@@ -157,12 +157,12 @@ TEST(Constraints, ThatNothingMeetsTogetherSayWhatGivesWay) {
 }
 
 TEST(RankTradeoff, IsOfTheRoutingsThatAreGiven) {
-  const ProcessResult result = reeve("rank --catalog");
+  const ProcessResult result = reeve("rank --catalogue");
   EXPECT_TRUE(says(result, "Best design for each number of sheaths\n"));
   EXPECT_TRUE(says(result, "No design within 2 % of it has fewer sheaths\n"));
   EXPECT_FALSE(says(reeve("rank TR1"), "Best:"));
   const TemporaryFolder folder;
-  reeve({"rank", "--catalog", "--out", folder.path().string()});
+  reeve({"rank", "--catalogue", "--out", folder.path().string()});
   EXPECT_EQ(words(read_text(folder.path() / "tradeoff.csv")),
             (std::vector<std::string>{"M-1-T-2-F", "F-1-P-2-F", "1-P-2-P-1"}));
 }

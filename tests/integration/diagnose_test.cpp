@@ -94,7 +94,7 @@ TEST(Diagnose, OnABenchSpeaksOfNoGraspsAndRanksNoRoutings) {
   }
   const Json json = Json::parse(read_text(folder.path() / "diagnosis.json"));
   EXPECT_TRUE(json["ranking"].is_null());
-  EXPECT_TRUE(has(reeve({"diagnose", with_cause}).out, "Ranking of the catalog"));
+  EXPECT_TRUE(has(reeve({"diagnose", with_cause}).out, "Ranking of the catalogue"));
 }
 
 TEST(Diagnose, TakesAsManyReplicatesAsAlphaNeeds) {
@@ -188,7 +188,7 @@ TEST(Diagnose, SavesAModelThatRankTakes) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(has(read_text(model), "\n# The data are simulated"));
   const Json ranked =
-      Json::parse(reeve({"rank", "--catalog", "--model", model, "--format", "json"}).out);
+      Json::parse(reeve({"rank", "--catalogue", "--model", model, "--format", "json"}).out);
   std::vector<std::string> order;
   for (const Json& design : ranked["designs"]) order.push_back(design["name"]);
   EXPECT_EQ(Json::parse(result.out)["ranking"]["after"], order);

@@ -110,7 +110,7 @@ TEST_P(DocumentedCommands, RunAsTheyStandOnThePage) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, DocumentedCommands,
-                         ::testing::Values("README.md", "docs/catalog.md", "docs/constraints.md",
+                         ::testing::Values("README.md", "docs/catalogue.md", "docs/constraints.md",
                                            "docs/data.md", "docs/decision.md", "docs/diagnosis.md",
                                            "docs/glove.md", "docs/hand.md", "docs/logger.md",
                                            "docs/mujoco.md", "docs/pages.md", "docs/projects.md",

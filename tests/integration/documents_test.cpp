@@ -147,10 +147,10 @@ TEST(FiguresInDocuments, AreWhatTheirCommandsWrite) {
   const std::string out = (folder.path() / "out").string();
   EXPECT_TRUE(written({"explore", "--fingers", "5", "--parts", "full", "--out", out},
                       "out/figures/pareto.svg") == in_documents("pareto.svg"));
-  EXPECT_TRUE(written({"rank", "--catalog", "--grasps", "paper", "--score", "authors", "--sweep",
+  EXPECT_TRUE(written({"rank", "--catalogue", "--grasps", "paper", "--score", "authors", "--sweep",
                        "mu=0.02..0.3", "--uncertainty", "--out", out},
                       "out/figures/sweep-score.svg") == in_documents("sweep.svg"));
-  EXPECT_TRUE(written({"rank", "--catalog", "--out", out}, "out/figures/figure-9.svg") ==
+  EXPECT_TRUE(written({"rank", "--catalogue", "--out", out}, "out/figures/figure-9.svg") ==
               in_documents("figure-9.svg"));
   const std::string readings = std::string(REEVE_SOURCE_DIR) + "/catalog/measured/exo_glove_ii.csv";
   EXPECT_TRUE(written({"diagnose", readings, "--out", out}, "out/figures/figure-9.svg") ==

@@ -54,20 +54,21 @@ TEST(CheckOfAFamily, EndsWithOneOnlyOfWhatIsNotListed) {
 }
 
 TEST(RankOfAFamily, RanksItsMechanismsWithSoManyFingersByTheirNames) {
-  EXPECT_EQ(names(json_of({"rank", "--catalog", "--family", "hands", "--fingers", "4"})["designs"]),
-            (std::vector<std::string>{"LavalSerial", "OpenHandModelQ", "OpenHandModelT",
-                                      "SouthamptonHand"}));
+  EXPECT_EQ(
+      names(json_of({"rank", "--catalogue", "--family", "hands", "--fingers", "4"})["designs"]),
+      (std::vector<std::string>{"LavalSerial", "OpenHandModelQ", "OpenHandModelT",
+                                "SouthamptonHand"}));
   // PulleyTurn of the benches has the word of the single whip.
   const std::vector<std::string> tackles =
-      names(json_of({"rank", "--catalog", "--family", "tackles", "--fingers", "1"})["designs"]);
+      names(json_of({"rank", "--catalogue", "--family", "tackles", "--fingers", "1"})["designs"]);
   EXPECT_EQ(tackles.size(), 13U);
   EXPECT_NE(std::find(tackles.begin(), tackles.end(), "SingleWhip"), tackles.end());
 }
 
 TEST(RankOfTheCatalogue, IsOfThePaperUnlessAFamilyIsGiven) {
-  const Json paper = json_of({"rank", "--catalog"});
+  const Json paper = json_of({"rank", "--catalogue"});
   EXPECT_EQ(paper["designs"].size(), 7U);
-  EXPECT_EQ(json_of({"rank", "--catalog", "--family", "paper"}), paper);
+  EXPECT_EQ(json_of({"rank", "--catalogue", "--family", "paper"}), paper);
 }
 
 TEST(ShowOfAMechanism, TakesItsOwnHardwareUnlessAnotherIsGiven) {
@@ -83,7 +84,7 @@ TEST(ShowOfAMechanism, TakesItsOwnHardwareUnlessAnotherIsGiven) {
   // Its word is nobody's own.
   EXPECT_FALSE(json_of({"show", "M-B-1x"}).contains("own_hardware"));
   const std::string text = reeve("show PulleyTurn").out;
-  EXPECT_TRUE(has(text, "With its own hardware, from the catalog"));
+  EXPECT_TRUE(has(text, "With its own hardware, from the catalogue"));
 }
 
 TEST(ShowOfAMechanism, HasItsNameThoughAnotherHasItsWord) {
@@ -102,7 +103,7 @@ std::map<std::string, int> mechanisms_by_family() {
 
 TEST(CountsInDocuments, AreThoseOfTheCheck) {
   const std::filesystem::path root = REEVE_SOURCE_DIR;
-  const std::string document = read_text(root / "docs" / "catalog.md");
+  const std::string document = read_text(root / "docs" / "catalogue.md");
   const std::string readme = read_text(root / "README.md");
   const auto expect = [](const std::string& text, const std::string& part) {
     EXPECT_TRUE(has(text, part)) << part;

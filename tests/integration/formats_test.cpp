@@ -27,8 +27,8 @@ std::string output(Arguments arguments, const std::string& format) {
 
 std::vector<std::pair<Arguments, std::size_t>> commands_and_their_tables() {
   const std::string data = std::string(REEVE_SOURCE_DIR) + "/tests/golden/diagnose_none.csv";
-  return {{{"rank", "--catalog"}, 2},
-          {{"rank", "--catalog", "--margin", "--uncertainty", "--draws", "5"}, 4},
+  return {{{"rank", "--catalogue"}, 2},
+          {{"rank", "--catalogue", "--margin", "--uncertainty", "--draws", "5"}, 4},
           {{"explore", "--parts", "full"}, 4},
           {{"show", "TR5"}, 4},
           {{"count"}, 1},
@@ -85,17 +85,17 @@ TEST(Formats, SayThatAnExplorationWasStopped) {
 }
 
 TEST(Formats, AreThoseOfTheHelp) {
-  for (const auto& [command, formats] :
-       std::vector<std::pair<std::string, std::string>>{{"rank", "{table,json,csv,markdown,latex}"},
-                                                        {"show", "{table,json,dot,markdown,latex}"},
-                                                        {"explore", "{table,json,markdown,latex}"},
-                                                        {"count", "{table,json,markdown,latex}"},
-                                                        {"check", "{table,json,markdown,latex}"},
-                                                        {"catalog", "{table,json,markdown,latex}"},
-                                                        {"compare", "{table,json,markdown,latex}"},
-                                                        {"diagnose", "{table,json,markdown,latex}"},
-                                                        {"simulate", "{table,json,markdown,latex}"},
-                                                        {"size", "{table,json,markdown,latex}"}}) {
+  for (const auto& [command, formats] : std::vector<std::pair<std::string, std::string>>{
+           {"rank", "{table,json,csv,markdown,latex}"},
+           {"show", "{table,json,dot,markdown,latex}"},
+           {"explore", "{table,json,markdown,latex}"},
+           {"count", "{table,json,markdown,latex}"},
+           {"check", "{table,json,markdown,latex}"},
+           {"catalogue", "{table,json,markdown,latex}"},
+           {"compare", "{table,json,markdown,latex}"},
+           {"diagnose", "{table,json,markdown,latex}"},
+           {"simulate", "{table,json,markdown,latex}"},
+           {"size", "{table,json,markdown,latex}"}}) {
     EXPECT_TRUE(has(reeve({command, "--help"}).out, formats)) << command;
   }
 }

@@ -145,7 +145,7 @@ TEST(HangUp, OfTheTerminalLeavesWholeFilesThatSayPartial) {
 
 TEST(Interruption, EndsARankingUnderUncertaintyWithoutAResult) {
   const ProcessResult result =
-      reeve("rank --catalog --uncertainty --draws 100000 --threads 1 --grasps none/1/2/1,2",
+      reeve("rank --catalogue --uncertainty --draws 100000 --threads 1 --grasps none/1/2/1,2",
             disturbed(SIGINT, after_it_catches(SIGINT, 50ms)));
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.out, "");

@@ -24,8 +24,8 @@ std::string printed(Arguments arguments) {
 // In 3.5 in, the column of a two-column paper.
 std::vector<Arguments> tables_of_a_column() {
   const std::string list = "rank,name,routing,uniformity_mean,efficiency_mean,sheaths";
-  return {{"rank", "--catalog", "--columns", list},
-          {"rank", "--catalog"},
+  return {{"rank", "--catalogue", "--columns", list},
+          {"rank", "--catalogue"},
           {"explore", "--fingers", "5", "--parts", "full", "--columns",
            "rank,routing,uniformity_mean,travel,sheaths"},
           {"explore", "--fingers", "4", "--parts", "full"},
@@ -39,7 +39,7 @@ std::string in_a_column(Arguments arguments) {
 }
 
 TEST(TablesForPapers, HaveTheChosenColumnsInEveryFormatAndNoOtherTable) {
-  const Arguments rank("rank --catalog --columns routing,uniformity_worst,rank");
+  const Arguments rank("rank --catalogue --columns routing,uniformity_worst,rank");
   const auto in = [&](const char* format) {
     Arguments arguments = rank;
     arguments.insert(arguments.end(), {"--format", format});
@@ -54,10 +54,10 @@ TEST(TablesForPapers, HaveTheChosenColumnsInEveryFormatAndNoOtherTable) {
 }
 
 TEST(TablesForPapers, HaveMeanAndWorstInColumnsOfTheirOwn) {
-  const std::string latex = printed({"rank", "--catalog", "--format", "latex"});
+  const std::string latex = printed({"rank", "--catalogue", "--format", "latex"});
   EXPECT_TRUE(has(latex, "uniformity, mean & uniformity, worst & efficiency, mean"));
   EXPECT_TRUE(has(latex, " & 0.998 & 0.997 & "));
-  EXPECT_TRUE(has(printed({"rank", "--catalog"}), "0.998/0.997"));
+  EXPECT_TRUE(has(printed({"rank", "--catalogue"}), "0.998/0.997"));
 }
 
 // So that nobody waits for a table that cannot be.
@@ -65,7 +65,7 @@ TEST(TablesForPapers, ThatCannotBeAsNarrowAsAskedForAreRefusedBeforeTheWork) {
   const TemporaryFolder folder;
   ProcessOptions options{.directory = folder.path()};
   for (const Arguments command :
-       {"rank --catalog --out page", "explore --out page",
+       {"rank --catalogue --out page", "explore --out page",
         "explore --out page --columns routing,uniformity_mean,efficiency_mean",
         "size TR5 --vary sheath_angle=3..9 --nominal --out page"}) {
     const auto with = [&](const std::string& width) {
@@ -99,7 +99,7 @@ TEST(TablesForPapers, OfSizesHaveThoseOfTheDimensionsOrOfTheRoutings) {
 }
 
 TEST(TablesForPapers, OfCharactersFitIntoThem) {
-  const std::string text = printed({"rank", "--catalog", "--text-width", "60"});
+  const std::string text = printed({"rank", "--catalogue", "--text-width", "60"});
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) EXPECT_LE(line.size(), 62U) << line;
 }

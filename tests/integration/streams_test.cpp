@@ -57,8 +57,8 @@ TEST(Progress, LeavesNoTraceOfShortWork) {
 TEST(FullStdout, IsAnError) {
   const TemporaryFolder folder;
   ProcessOptions options{.directory = folder.path(), .stdout_to = "/dev/full"};
-  for (const Arguments arguments : {"show TR1", "show TR1 --format dot", "rank --catalog", "count",
-                                    "check", "explore --out out"}) {
+  for (const Arguments arguments : {"show TR1", "show TR1 --format dot", "rank --catalogue",
+                                    "count", "check", "explore --out out"}) {
     SCOPED_TRACE(arguments[0]);
     const ProcessResult result = reeve(arguments, options);
     EXPECT_EQ(result.exit_code, 3);

@@ -50,8 +50,8 @@ std::size_t widest_line(const std::string& text) {
 }
 
 std::vector<Arguments> commands() {
-  return {{"rank", "--catalog"},
-          {"rank", "--catalog", "--uncertainty", "--draws", "5", "--margin"},
+  return {{"rank", "--catalogue"},
+          {"rank", "--catalogue", "--uncertainty", "--draws", "5", "--margin"},
           {"explore", "--fingers", "4", "--parts", "full"},
           {"show", "M-1b-P-2b-P-3-T-4-M"},
           {"show", "TR5", "--model", std::string(REEVE_CATALOG_DIR) + "/model/example.toml"},
@@ -85,7 +85,7 @@ TEST(Colour, IsNeverTheOnlySign) {
 
 TEST(Colour, IsNoPartOfAnExport) {
   for (const char* format : {"json", "csv", "markdown", "latex"}) {
-    const Arguments command{"rank", "--catalog", "--format", format};
+    const Arguments command{"rank", "--catalogue", "--format", format};
     EXPECT_EQ(on_terminal(command, 40), piped(command)) << format;
   }
 }
@@ -115,10 +115,10 @@ TEST(Width, LimitsNothingInAPipe) {
 }
 
 TEST(Width, ThatLeavesColumnsOutSaysWhichAndWhereTheyAre) {
-  const std::string narrow = without_colour(on_terminal({"rank", "--catalog"}, 60));
+  const std::string narrow = without_colour(on_terminal({"rank", "--catalogue"}, 60));
   EXPECT_TRUE(has(narrow, "\nLeft out for want of room: "));
   EXPECT_TRUE(has(narrow, "knots"));
-  EXPECT_FALSE(has(on_terminal({"rank", "--catalog"}, 200), "Left out"));
+  EXPECT_FALSE(has(on_terminal({"rank", "--catalogue"}, 200), "Left out"));
 }
 
 TEST(Progress, FitsTheWindow) {

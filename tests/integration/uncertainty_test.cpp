@@ -52,7 +52,7 @@ TEST(Bands, HaveTheQuantileByWhichSizingIsRobust) {
 }
 
 TEST(Bands, AreTheSameInCsvAndJson) {
-  const Arguments rank("rank --catalog --uncertainty --draws 30 --format");
+  const Arguments rank("rank --catalogue --uncertainty --draws 30 --format");
   Arguments as_json = rank;
   Arguments as_csv = rank;
   as_json.push_back("json");
@@ -124,7 +124,7 @@ TEST(Sweep, IsTheSameInCsvAndJsonAndOnThePage) {
   const TemporaryFolder folder;
   const std::string out = folder.path().string();
   const ProcessResult result =
-      reeve({"rank", "--catalog", "--grasps", "paper", "--score", "authors", "--uncertainty",
+      reeve({"rank", "--catalogue", "--grasps", "paper", "--score", "authors", "--uncertainty",
              "--draws", "20", "--sweep", "mu=0.02..0.3", "--out", out});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json sweep = Json::parse(read_text(folder.path() / "ranking.json"))["sweep"];

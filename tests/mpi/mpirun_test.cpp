@@ -119,7 +119,7 @@ TEST_F(Mpirun, SaysABadOptionOnce) {
         {{"explore", "--store", "s.db", "--keep", "all"},
          "--keep 'all': expected best under mpirun, where every design would pass through one "
          "process; --shard with a store for each keeps all"},
-        {{"rank", "--catalog"},
+        {{"rank", "--catalogue"},
          "started as 3 processes, which would all do the same: only explore can be shared out "
          "(REEVE_MPI=off in the environment: each on its own)"}}) {
     const ProcessResult result = together(3, arguments);

@@ -35,7 +35,7 @@ struct Ranked {
 };
 
 inline const Ranked& catalogue() {
-  static const Ranked ranked({"--catalog"});
+  static const Ranked ranked({"--catalogue"});
   return ranked;
 }
 

@@ -63,10 +63,10 @@ TEST(RankingCharts, DrawTheTensionsOfTheFileAsBars) {
 }
 
 TEST(RankingPage, LiesBesideTheUsualResult) {
-  EXPECT_TRUE(catalogue().result.out.starts_with(reeve({"rank", "--catalog"}).out));
+  EXPECT_TRUE(catalogue().result.out.starts_with(reeve({"rank", "--catalogue"}).out));
   const TemporaryFolder folder;
   const std::string out = folder.path().string();
-  const ProcessResult printed = reeve({"rank", "--catalog", "--format", "json", "--out", out});
+  const ProcessResult printed = reeve({"rank", "--catalogue", "--format", "json", "--out", out});
   EXPECT_EQ(read_text(folder.path() / "ranking.json"), printed.out);
 }
 
@@ -130,7 +130,7 @@ TEST(RankingPage, EscapesWhatUsersWrite) {
 TEST(RankingPage, SaysWhatDecidesWithinAFrontAndWhatMayBeAskedFor) {
   EXPECT_NE(catalogue().html.find("<code>--uncertainty</code> and <code>--margin</code> do."),
             std::string::npos);
-  const Ranked plain({"--catalog", "--objectives", "uniformity,sheaths"});
+  const Ranked plain({"--catalogue", "--objectives", "uniformity,sheaths"});
   // With four sheaths, two and one; TR2 is less uniform than TR3.
   EXPECT_NE(plain.html.find("4 routings are on the Pareto front, none of which is better than "
                             "another in all objectives chosen: TR7, TR3, TR6, TR1. Among them the "
@@ -138,7 +138,7 @@ TEST(RankingPage, SaysWhatDecidesWithinAFrontAndWhatMayBeAskedFor) {
             std::string::npos);
   EXPECT_NE(plain.html.find("<code>--uncertainty</code> does."), std::string::npos);
   const Ranked scored(
-      {"--catalog", "--objectives", "uniformity,sheaths", "--score", "uniformity=1"});
+      {"--catalogue", "--objectives", "uniformity,sheaths", "--score", "uniformity=1"});
   const std::string answer = scored.html.substr(scored.html.find("id=\"answer\""), 2000);
   EXPECT_NE(answer.find("comes first, with score "), std::string::npos) << answer;
   EXPECT_NE(answer.find("within a front by the score, the weighted mean of uniformity_mean=1"),

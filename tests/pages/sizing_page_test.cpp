@@ -35,10 +35,10 @@ struct SizedPage {
 };
 
 const SizedPage& hand_page() {
-  static const SizedPage page({"M-1b-T-2b-B-3b-M", "--hardware",
-                               REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml", "--goal",
-                               "motor_force", "--vary", "sheath_angle=2..5", "--vary",
-                               "tip_angle=2..4", "--equal", "tips", "--draws", "10", "--starts", "8"});
+  static const SizedPage page(
+      {"M-1b-T-2b-B-3b-M", "--hardware", REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml",
+       "--goal", "motor_force", "--vary", "sheath_angle=2..5", "--vary", "tip_angle=2..4",
+       "--equal", "tips", "--draws", "10", "--starts", "8"});
   return page;
 }
 

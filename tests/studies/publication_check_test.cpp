@@ -102,7 +102,7 @@ TEST(PublicationCheck, NamesWhatTheReadingsOrTheCatalogueLack) {
       Edited("publications/dual_tendon_routing.toml", "routing = \"TR7\"", "routing = \"TR8\"")
           .error(),
       "publications/dual_tendon_routing.toml: routing = \"TR8\": expected the name of a "
-      "routing in the catalog");
+      "routing in the catalogue");
   EXPECT_EQ(
       Edited("publications/dual_tendon_routing.toml", "ratio_from = \"TR1\"",
              "ratio_from = \"TR2\"")
@@ -184,7 +184,7 @@ TEST(PublicationCheck, RefusesAnErrorOfLinesThatNobodyDrew) {
   EXPECT_EQ(Edited(supplement, "lines = \"Fig. 9 (b)\"", "lines = \"Fig. 9 (c)\"").error(),
             supplement +
                 ":19:9: error.lines = \"Fig. 9 (c)\": expected \"table\", or the source of "
-                "[[lines]] in the catalog");
+                "[[lines]] in the catalogue");
 }
 
 TEST(PublicationCheck, ConcludesNothingFromErrorsThatItCannotExplain) {
