@@ -26,8 +26,9 @@ void require_hand_for(const std::string& option, const std::vector<Objective>& o
     if (!row(objective).of_hand) continue;
     throw InputError({.where = option,
                       .what = fmt::format("{} needs a hand", row(objective).name),
-                      .expected = "the joints of its fingers in the file of --hardware or --model "
-                                  "(docs/hand.md)",
+                      .expected =
+                          "the joints of its fingers, or a pull wanted of them, in the file of "
+                          "--hardware or --model (docs/hand.md)",
                       .form = InputForm::unknown});
   }
 }

@@ -15,6 +15,7 @@
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
+#include "core/idle_values.hpp"
 #include "core/nearest_name.hpp"
 #include "core/notation.hpp"
 #include "reports/output/files.hpp"
@@ -58,6 +59,11 @@ void require_in_range(const MechanicsBuilder& builder, const Network& network,
   } catch (const OutOfRange& error) {
     throw error.at(fmt::format("routing '{}'", word));
   }
+}
+
+// Returns the word of the only routing.
+std::string place_of(const std::vector<Routing>& routings) {
+  return routings.size() == 1 ? to_word(routings.front()) : "one of the routings";
 }
 
 }  // namespace
@@ -238,44 +244,25 @@ void ModelOption::list_in(std::vector<InputFile>& inputs) const {
   if (option_->count() > 0) inputs.push_back({file_, "the model"});
 }
 
-namespace {
-
-using UnmatchedIn = std::vector<std::string> (MechanicsBuilder::*)(const Network&) const;
-
-// The first name that is in none of the routings.
-std::optional<std::string> first_unmatched(const MechanicsBuilder& builder, UnmatchedIn names,
-                                           const std::vector<Routing>& routings) {
-  std::vector<std::string> unmatched = (builder.*names)({});
+void require_hardware_to_fit(const Hardware& hardware, const std::vector<Routing>& routings) {
+  const MechanicsBuilder builder(hardware);
+  std::vector<std::string> spools = builder.unmatched_spools({});
   for (const Routing& routing : routings) {
-    const std::vector<std::string> here = (builder.*names)(expand(routing));
-    std::erase_if(unmatched, [&](const std::string& name) {
-      return std::find(here.begin(), here.end(), name) == here.end();
+    const Network network = expand(routing);
+    require_in_range(builder, network, to_word(routing));
+    const std::vector<std::string> here = builder.unmatched_spools(network);
+    std::erase_if(spools, [&](const std::string& spool) {
+      return std::find(here.begin(), here.end(), spool) == here.end();
     });
   }
-  return unmatched.empty() ? std::nullopt : std::optional(unmatched.front());
-}
-
-}  // namespace
-
-void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings) {
-  const MechanicsBuilder builder(hardware);
-  for (const Routing& routing : routings) {
-    require_in_range(builder, expand(routing), to_word(routing));
+  if (!spools.empty()) {
+    throw InputError({.where = hardware_place(hardware, "spools." + spools.front()),
+                      .what = "spools",
+                      .value = spools.front(),
+                      .expected = fmt::format("a motor-side segment that ends at an M (a P has no "
+                                              "spool) in {}",
+                                              place_of(routings))});
   }
-  const std::string where =
-      routings.size() == 1 ? to_word(routings.front()) : "one of the routings";
-  const auto require = [&](const std::string& table, UnmatchedIn names, const char* expected) {
-    const auto name = first_unmatched(builder, names, routings);
-    if (!name) return;
-    throw InputError({.where = hardware_place(hardware, table + "." + *name),
-                      .what = table,
-                      .value = *name,
-                      .expected = fmt::format("{} in {}", expected, where)});
-  };
-  require("contact", &MechanicsBuilder::unmatched_contacts,
-          "two segments with a contact between them, each contact once,");
-  require("spools", &MechanicsBuilder::unmatched_spools,
-          "a motor-side segment that ends at an M (a P has no spool)");
   for (const Routing& routing : routings) {
     const std::vector<std::string> unmatched = builder.unmatched_tendons(expand(routing));
     if (unmatched.empty()) continue;
@@ -286,6 +273,33 @@ void require_contacts_to_match(const Hardware& hardware, const std::vector<Routi
                                               "an M, with slack one on a motor and on no block",
                                               to_word(routing))});
   }
+}
+
+void require_none_idle(const Hardware& hardware, const std::vector<std::string>& keys,
+                       const std::string& where) {
+  if (keys.empty()) return;
+  const std::string& key = keys.front();
+  constexpr std::string_view contact = "contact.";
+  if (!key.starts_with(contact)) {
+    throw InputError({.where = hardware_place(hardware, key),
+                      .what = key,
+                      .expected = fmt::format("a contact on which it acts in {}", where),
+                      .form = InputForm::unknown});
+  }
+  throw InputError({.where = hardware_place(hardware, key),
+                    .what = "contact",
+                    .value = key.substr(contact.size()),
+                    .expected = fmt::format("two segments with a contact between them, each "
+                                            "contact once, in {}",
+                                            where)});
+}
+
+void require_values_to_act(const Hardware& hardware, const std::vector<Routing>& routings) {
+  int fingers = 0;
+  for (const Routing& routing : routings) fingers = std::max(fingers, finger_count(routing));
+  IdleValues idle(hardware, fingers);
+  for (const Routing& routing : routings) idle.look_at(expand(routing));
+  require_none_idle(hardware, idle.keys(), place_of(routings));
 }
 
 void FormatOption::add_to(CLI::App& command, const std::vector<std::string>& formats) {

@@ -144,9 +144,17 @@ struct ModelOption {
   CLI::Option* option_ = nullptr;
 };
 
-// A contact or spool that the hardware names must be in one of the routings: else it is likely a
-// slip of the pen in its file. Throws OutOfRange where its friction is beyond any contact's.
-void require_contacts_to_match(const Hardware& hardware, const std::vector<Routing>& routings);
+// A spool that the hardware names must be in one of the routings, a tendon in each. Throws
+// OutOfRange where its friction is beyond any contact's.
+void require_hardware_to_fit(const Hardware& hardware, const std::vector<Routing>& routings);
+
+// Each value of a finger or contact must act in one of the routings: else it is likely a slip of
+// the pen in its file. Of a single routing (`show`, `size`, `export`) a note says so instead, for
+// its file may be that of the exploration which found it.
+void require_values_to_act(const Hardware& hardware, const std::vector<Routing>& routings);
+// Throws InputError about the first of these idle values.
+void require_none_idle(const Hardware& hardware, const std::vector<std::string>& keys,
+                       const std::string& where);
 
 struct FormatOption {
   std::string format = "table";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/routing.hpp"
 
@@ -11,5 +12,10 @@ namespace reeve::core {
 // if the routing has bars already, or no block, or a block that one tendon does not pass exactly
 // once.
 std::optional<Routing> with_bars(const Routing& routing);
+
+// Returns a whiffletree: a chain of bars that pulls fingers 1 … n, tied at their tips, in this
+// ratio. Returns nothing for one finger, for more bars than a routing can have, or for arms beyond
+// those of a word.
+std::optional<Routing> whiffletree(const std::vector<double>& pulls);
 
 }  // namespace reeve::core

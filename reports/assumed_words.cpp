@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <numbers>
 
 #include "reports/data_text.hpp"
@@ -18,10 +19,20 @@ std::string contact_words(const char* parts, const ContactLaw& law) {
                      law.whole_angle_rad() * degrees_in_rad);
 }
 
-std::string own_values_words(std::size_t count, const char* one) {
-  if (count == 0) return "";
-  return fmt::format(", {} with values of {} own", plural(count, one),
-                     count == 1 ? "its" : "their");
+std::string own_values_words(const Hardware& hardware) {
+  std::string owners;
+  const auto add = [&](std::size_t count, const char* one) {
+    if (count > 0) owners += (owners.empty() ? ", " : " and ") + plural(count, one);
+  };
+  add(hardware.fingers.size(), "finger");
+  add(hardware.contacts.size(), "contact");
+  return owners.empty() ? "" : owners + " with own values where a routing has them";
+}
+
+// Returns the hardware's file without its folder, or the mechanism of the catalogue that has it.
+std::string owner_words(const Hardware& hardware) {
+  if (!hardware.origin) return "default";
+  return std::filesystem::path(hardware.origin->file).filename().string();
 }
 
 std::string friction_words(const Hardware& hardware) {
@@ -29,8 +40,7 @@ std::string friction_words(const Hardware& hardware) {
                                  contact_words("bearings", hardware.bearing),
                                  contact_words("sheaths", hardware.sheath));
   if (hardware.block) text += ", " + contact_words("blocks", *hardware.block);
-  return text + own_values_words(hardware.fingers.size(), "finger") +
-         own_values_words(hardware.contacts.size(), "contact");
+  return text + own_values_words(hardware);
 }
 
 void question(const std::string& where, double angle_rad, std::vector<std::string>& notes) {
@@ -47,7 +57,8 @@ void question(const std::string& where, double angle_rad, std::vector<std::strin
 std::string assumed_text(const Model& model) {
   const char* const law =
       model.effects.empty() ? "only capstan friction" : "capstan friction with effects";
-  return fmt::format("Assumed: {}; {}", friction_words(effective_hardware(model)), law);
+  return fmt::format("Assumed, by {}: {}; {}", owner_words(model.hardware),
+                     friction_words(effective_hardware(model)), law);
 }
 
 std::vector<std::string> angle_notes(const Hardware& hardware) {

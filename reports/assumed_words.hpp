@@ -8,7 +8,8 @@
 
 namespace reeve::reports {
 
-// "Assumed: tubes mu 0.18 over 180 deg, …; only capstan friction"
+// "Assumed, by default: tubes mu 0.18 over 180 deg, …; only capstan friction". Of a hardware of a
+// file or of the catalogue this is named in place of the default.
 std::string assumed_text(const Model& model);
 
 // A sentence for each angle of so many turns that degrees may be meant.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "readings/csv.hpp"
+#include "reports/assumed_words.hpp"
 #include "reports/data_text.hpp"
 #include "reports/model_text.hpp"
 #include "reports/output/csv_field.hpp"
@@ -112,10 +113,7 @@ Document compare_sheet(const CompareReport& report) {
       {fmt::format("{}: {} in {}", data.file, plural(data.readings.size(), "reading"),
                    plural(data.runs.size(), "run"))});
   if (data.simulated) opening.lines.push_back(simulated_line());
-  opening.lines.push_back(
-      {report.model.effects.empty()
-           ? "Nothing is fitted. Predictions use the given hardware."
-           : "Nothing is fitted. Predictions use the given hardware and effects."});
+  opening.lines.push_back({"Nothing is fitted. " + assumed_text(report.model)});
   Document document{{opening}};
   document.add(
       summary_section(report.comparison.tension, "Tensions in N, measured - predicted", "N"));

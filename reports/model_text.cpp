@@ -1,12 +1,14 @@
 #include "reports/model_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
 #include "causes/term.hpp"
+#include "core/idle_values.hpp"
 #include "reports/assumed_words.hpp"
 #include "reports/law_words.hpp"
 
@@ -207,11 +209,22 @@ std::vector<std::string> model_notes(const Model& model, int fingers) {
   return notes;
 }
 
-std::vector<DocumentLine> model_note_lines(const Model& model, int fingers) {
+std::vector<std::string> model_notes(const Model& model, const std::vector<Network>& networks) {
+  const int fingers = networks.front().fingers;
+  std::vector<std::string> notes = model_notes(model, fingers);
+  IdleValues idle(model.hardware, fingers);
+  for (const Network& network : networks) idle.look_at(network);
+  const std::vector<std::string> keys = idle.keys();
+  if (keys.empty()) return notes;
+  notes.push_back(fmt::format("{} of the hardware {} nothing: no contact here takes {}",
+                              fmt::join(keys, ", "), keys.size() == 1 ? "changes" : "change",
+                              keys.size() == 1 ? "it" : "them"));
+  return notes;
+}
+
+std::vector<DocumentLine> note_lines(const std::vector<std::string>& notes) {
   std::vector<DocumentLine> lines;
-  for (const std::string& note : model_notes(model, fingers)) {
-    lines.push_back({"Note: " + note, true});
-  }
+  for (const std::string& note : notes) lines.push_back({"Note: " + note, true});
   return lines;
 }
 

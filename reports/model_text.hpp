@@ -25,7 +25,10 @@ std::vector<DocumentLine> model_lines(const Model& model, std::uint64_t unconver
 // no effect: the length of the sheaths; a finger of the hardware, and an effect on one, that
 // routings of so many fingers do not have.
 std::vector<std::string> model_notes(const Model& model, int fingers);
-std::vector<DocumentLine> model_note_lines(const Model& model, int fingers);
+// The same of these networks, and one of values that act at no contact of them
+// (core/idle_values.hpp).
+std::vector<std::string> model_notes(const Model& model, const std::vector<Network>& networks);
+std::vector<DocumentLine> note_lines(const std::vector<std::string>& notes);
 
 // A sentence for each coefficient that its own range leaves out: ranges that nobody has given are
 // those of Teflon on steel, whatever the hardware's own coefficients are.

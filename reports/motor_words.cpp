@@ -51,7 +51,18 @@ std::vector<DocumentLine> motor_lines(const std::optional<MotorForce>& force,
   if (!force) return {};
   std::vector<DocumentLine> lines = stroke_lines(*force, motor);
   lines.insert(lines.begin(), motor_line(*force, motor));
+  for (const DocumentLine& line : energy_lines(force->least_work_J, motor)) lines.push_back(line);
   return lines;
+}
+
+std::vector<DocumentLine> energy_lines(double least_work_J, const MotorParts& motor) {
+  constexpr double mm_per_m = 1000;
+  const double motor_J = motor.force_N.value_or(0) * motor.stroke_mm.value_or(0) / mm_per_m;
+  if (motor_J == 0 || motor_J >= least_work_J) return {};
+  return {{fmt::format("{:.4g} N x {:.4g} mm = {:.3g} J is less than the {:.3g} J that the fingers "
+                       "take: no routing can do it",
+                       *motor.force_N, *motor.stroke_mm, motor_J, least_work_J),
+           true}};
 }
 
 Json motor_force_json(const std::optional<MotorForce>& force, const MotorParts& motor) {

@@ -128,12 +128,14 @@ Document rank_document(const RankReport& report, const ListColumns& wanted) {
   }
   if (!report.designs.empty()) {
     const int fingers = finger_count(report.designs.front().routing);
-    for (const DocumentLine& line : model_note_lines(report.model, fingers)) lines.push_back(line);
+    for (const DocumentLine& line : note_lines(model_notes(report.model, fingers))) {
+      lines.push_back(line);
+    }
   }
   if (report.uncertainty || report.margins) {
     const Hardware nominal = effective_hardware(report.model);
-    for (const std::string& note : range_notes(nominal, report.ranges)) {
-      lines.push_back({"Note: " + note, true});
+    for (const DocumentLine& line : note_lines(range_notes(nominal, report.ranges))) {
+      lines.push_back(line);
     }
   }
   lines.push_back({order_text(report.order, report.score) +

@@ -242,9 +242,6 @@ std::vector<ShownContact> shown_contacts(const SolvedRouting& report) {
 
 Document show_document(const ShownRouting& report) {
   std::vector<DocumentLine> lines{{heading(report)}};
-  if (report.own_hardware) {
-    lines.push_back({"With its own hardware, from the catalogue; --hardware FILE takes another"});
-  }
   if (const std::string key = letter_key(report.network, report.model.hardware); !key.empty()) {
     lines.push_back({"Motor-side segments, in walk order: " + key});
   }
@@ -256,7 +253,7 @@ Document show_document(const ShownRouting& report) {
   for (const DocumentLine& line : model_lines(report.model, report.unconverged)) {
     lines.push_back(line);
   }
-  for (const DocumentLine& line : model_note_lines(report.model, report.network.fingers)) {
+  for (const DocumentLine& line : note_lines(model_notes(report.model, {report.network}))) {
     lines.push_back(line);
   }
   Document document{{{"", std::nullopt, lines},

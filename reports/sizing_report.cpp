@@ -15,6 +15,7 @@
 #include "core/hand.hpp"
 #include "core/text.hpp"
 #include "core/version.hpp"
+#include "reports/assumed_words.hpp"
 #include "reports/document/chosen_columns.hpp"
 #include "reports/document/document.hpp"
 #include "reports/exploration/decision_words.hpp"
@@ -73,6 +74,7 @@ std::vector<DocumentLine> opening_lines(const SizingReport& report) {
   if (report.partial) {
     lines.push_back({"PARTIAL: stopped; the best so far, without sensitivities", true});
   }
+  lines.push_back({assumed_text(options.nominal)});
   for (const std::string& note : report.notes) lines.push_back({"Note: " + note, true});
   for (const DocumentLine& line : model_lines(options.nominal, report.unconverged)) {
     lines.push_back(line);

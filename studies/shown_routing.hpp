@@ -32,7 +32,7 @@ struct SolvedRouting {
   std::string name;  // "" if it has none
   Direction direction = Direction::pull;
   Model model;
-  bool own_hardware = false;      // the model's is that of the catalogue's mechanism
+  bool own_hardware = false;      // the model's is from the catalogue's mechanism
   std::uint64_t unconverged = 0;  // tension solves
   Network network;
   std::vector<ShownGrasp> grasps;

@@ -36,7 +36,8 @@ CompareReport report(const CompareFlags& flags) {
   MeasuredData data = flags.readings.read(flags.data, catalogue);
   std::vector<Routing> routings;
   for (const MeasuredRouting& measured : data.routings) routings.push_back(measured.routing);
-  require_contacts_to_match(model.hardware, routings);
+  require_hardware_to_fit(model.hardware, routings);
+  require_values_to_act(model.hardware, routings);
   return comparison_study(std::move(data), model, catalogue);
 }
 

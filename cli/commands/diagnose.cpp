@@ -120,7 +120,8 @@ std::optional<DiagnosisReport> report(const DiagnoseFlags& flags, const Catalogu
   for (const MeasuredRouting& measured : request.data.routings) {
     routings.push_back(measured.routing);
   }
-  require_contacts_to_match(request.hardware, routings);
+  require_hardware_to_fit(request.hardware, routings);
+  require_values_to_act(request.hardware, routings);
   require_places(flags);
   request.stage = [&](const char* name) {
     stage(name);

@@ -30,7 +30,7 @@ std::string exported(const ExportFlags& flags) {
   const Mechanism* mechanism = catalogue.find_mechanism(flags.routing);
   const bool own = mechanism != nullptr && mechanism->hardware && !flags.hardware.is_given();
   const Hardware hardware = own ? *mechanism->hardware : flags.hardware.read().hardware;
-  require_contacts_to_match(hardware, {routing});
+  require_hardware_to_fit(hardware, {routing});
   require_known_fingers(hardware, finger_count(routing));
   const std::string source =
       own ? "the mechanism's own, from the catalogue" : flags.hardware.name();

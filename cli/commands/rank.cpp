@@ -100,7 +100,8 @@ RankInputs read(const RankFlags& flags) {
   inputs.routings = ranked_routings(asked, inputs.catalogue);
   if (asked.family) name_by(*asked.family, inputs.catalogue);
   inputs.file = flags.model.read(inputs.catalogue);
-  require_contacts_to_match(inputs.file.model.hardware, inputs.routings);
+  require_hardware_to_fit(inputs.file.model.hardware, inputs.routings);
+  require_values_to_act(inputs.file.model.hardware, inputs.routings);
   require_known_fingers(inputs.file.model.hardware, finger_count(inputs.routings.front()));
   inputs.cases = read_friction_cases(flags.distributions, inputs.file.model);
   if (flags.data_given->count() > 0) {

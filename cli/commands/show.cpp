@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -66,19 +69,22 @@ ShownRouting report(const ShowFlags& flags) {
   ModelFile file;
   if (own) {
     file.model = Model{*mechanism->hardware};
+    const std::string owner =
+        fmt::format("the catalogue's {} (show its word for the default)", mechanism->name);
+    file.model.hardware.origin = std::make_shared<const HardwareOrigin>(HardwareOrigin{owner, {}});
   } else {
     file = flags.model.read(catalogue);
   }
   Model& model = file.model;
   if (own) flags.model.friction().apply(model.hardware);
-  require_contacts_to_match(model.hardware, {routing});
+  require_hardware_to_fit(model.hardware, {routing});
   require_known_fingers(model.hardware, finger_count(routing));
   const Direction direction = flags.direction == "pull" ? Direction::pull : Direction::release;
   const GraspSet asked = grasps(flags, routing);
   ShownRouting shown =
       shown_routing(routing, model, asked, direction, catalogue, flags.prices.read());
   if (shown.hand) shown.hand->drawn = motor_force(routing, {model, file.uncertainty, asked, {}});
-  shown.own_hardware = own && !flags.model.friction().is_given();
+  shown.own_hardware = own;
   // Another mechanism may have the same word.
   if (mechanism != nullptr) shown.name = mechanism->routing == routing ? mechanism->name : "";
   return shown;

@@ -135,7 +135,8 @@ Model read_model(const SimulateFlags& flags, const ExperimentPlan& plan,
   Model model = flags.model.read(catalogue).model;
   std::vector<Routing> routings;
   for (const PlannedRouting& planned : plan.routings) routings.push_back(planned.routing);
-  require_contacts_to_match(model.hardware, routings);
+  require_hardware_to_fit(model.hardware, routings);
+  require_values_to_act(model.hardware, routings);
   const Survey possible = survey(plan);
   for (const NamedEffect& cause : read_causes(flags, catalogue)) {
     require_shown(cause, possible);

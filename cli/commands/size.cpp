@@ -196,7 +196,8 @@ void read_bounds(const SizeFlags& flags, const VaryTable& table, SizingOptions& 
     throw InputError({.where = "size",
                       .what = "nothing to vary",
                       .expected = "--vary, such as --vary sheath_angle=3..9, or [vary] in the "
-                                  "hardware file",
+                                  "hardware file; reeve show says what motor the hand needs as it "
+                                  "is",
                       .form = InputForm::unknown});
   }
 }
@@ -238,10 +239,13 @@ SizingOptions read_options(const SizeFlags& flags, const ModelFile& file, int fi
   return options;
 }
 
-std::vector<std::string> notes(const SizeFlags& flags, const SizingOptions& options, int fingers) {
+std::vector<std::string> notes(const SizeFlags& flags, const SizingOptions& options,
+                               const std::vector<Routing>& routings) {
   std::vector<std::string> notes;
   if (options.robust) notes = range_notes(effective_hardware(options.nominal), options.ranges);
-  for (std::string& note : model_notes(options.nominal, fingers)) {
+  std::vector<Network> networks;
+  for (const Routing& routing : routings) networks.push_back(expand(routing));
+  for (std::string& note : model_notes(options.nominal, networks)) {
     notes.push_back(std::move(note));
   }
   if (flags.from_given->count() == 0) return notes;
@@ -329,7 +333,7 @@ SizeInputs read(const SizeFlags& flags) {
   require_comparable(inputs.routings);
   const ModelFile file = flags.model.read(inputs.catalogue);
   const Hardware& hardware = file.model.hardware;
-  require_contacts_to_match(hardware, inputs.routings);
+  require_hardware_to_fit(hardware, inputs.routings);
   inputs.options = read_options(flags, file, finger_count(inputs.routings.front()));
   inputs.vary = file.vary;
   require_ranges_to_match(inputs.routings, hardware, inputs.options.varied, inputs.options.equal);
@@ -343,7 +347,7 @@ SizingReport sized(const SizeFlags& flags, const SizeInputs& inputs,
                    const StudySupervision& supervision) {
   SizingReport report =
       sizing_study(inputs.routings, inputs.options, inputs.catalogue, supervision);
-  report.notes = notes(flags, inputs.options, finger_count(inputs.routings.front()));
+  report.notes = notes(flags, inputs.options, inputs.routings);
   return report;
 }
 

@@ -27,18 +27,6 @@ void require_fingers(const Hardware& hardware, int fingers) {
   }
 }
 
-// Otherwise a slip of the pen is found when all is explored.
-void require_possible_contacts(const Hardware& hardware, const GeneratorOptions& generator) {
-  if (hardware.contacts.empty()) return;
-  const std::vector<std::string> impossible = impossible_contacts(hardware, generator);
-  if (impossible.empty()) return;
-  throw InputError({.where = hardware_place(hardware, "contact." + impossible.front()),
-                    .what = "contact",
-                    .value = impossible.front(),
-                    .expected = "two segments with a contact between them in one of the routings "
-                                "that are explored"});
-}
-
 // The bends of the sheaths are varied if the hardware file varies nothing: half to twice.
 std::vector<VariedRange> usual_ranges(const Hardware& hardware) {
   const double angle = hardware.sheath.angle_rad;
@@ -105,7 +93,8 @@ ExploreOptions ExploreFlags::read(const Model& with, const Catalogue& catalogue)
   for_option(fmt::format("--fingers {}", generator.fingers),
              [&] { return RoutingGenerator(options.generator).total(); });
   require_fingers(with.hardware, options.generator.fingers);
-  require_possible_contacts(with.hardware, options.generator);
+  require_none_idle(with.hardware, impossible_values(with.hardware, options.generator),
+                    "one of the routings that are explored");
   // Letters run in walk order, so that in another routing they are other ends.
   require_no_spools(with.hardware,
                     "none: a spool belongs to an end of one routing (show, rank, size)");

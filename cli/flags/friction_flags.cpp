@@ -4,8 +4,10 @@
 
 #include <charconv>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string_view>
+#include <utility>
 
 #include "cli/inputs.hpp"
 #include "core/error.hpp"
@@ -79,6 +81,9 @@ void FrictionFlags::apply(Hardware& hardware) const {
     hardware.sheath.angle_rad =
         for_name("--sheath-bend", [&] { return parse_angle(*sheath_bend_); });
   }
+  HardwareOrigin origin = hardware.origin ? *hardware.origin : HardwareOrigin{"default", {}};
+  origin.file += " with " + given();
+  hardware.origin = std::make_shared<const HardwareOrigin>(std::move(origin));
   for_option(given(), [&] { validate(hardware); });
 }
 

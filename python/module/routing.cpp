@@ -68,7 +68,10 @@ const Catalogue& the_catalogue() {
 void require_contacts(const BoundHardware& hardware, const std::vector<Routing>& routings) {
   const Hardware& given = hardware.file.hardware;
   if (given.contacts.empty() && given.spools.empty() && given.tendon.own.empty()) return;
-  cli::require_contacts_to_match(given, routings);
+  cli::require_hardware_to_fit(given, routings);
+  Hardware of_contacts = given;
+  of_contacts.fingers.clear();  // A hand's fingers may have more parts than a routing touches.
+  cli::require_values_to_act(of_contacts, routings);
 }
 
 void bind_routing(py::module_& module) {

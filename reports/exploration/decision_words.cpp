@@ -11,6 +11,7 @@
 #include "core/wearer_parts.hpp"
 #include "reports/data_text.hpp"
 #include "reports/jam_words.hpp"
+#include "reports/motor_words.hpp"
 #include "reports/output/telling_digits.hpp"
 #include "reports/shown_value.hpp"
 
@@ -289,14 +290,20 @@ std::vector<DocumentLine> infeasible_lines(const ExploreOptions& options,
   if (result.infeasible.empty() && result.evaluated > 0 && result.best.empty() && !result.partial) {
     return {{"No design of this shard meets the constraints", true}};
   }
-  if (!alone.empty() || result.infeasible.empty()) return alone;
-  together.insert(
-      together.begin(),
-      {fmt::format("Each of these constraints is met by some design, but {} by none",
-                   result.infeasible.size() == 2 ? std::string("both")
-                                                 : fmt::format("all {}", result.infeasible.size())),
-       true});
-  return together;
+  if (result.infeasible.empty()) return {};
+  std::vector<DocumentLine>& lines = alone.empty() ? together : alone;
+  if (alone.empty()) {
+    lines.insert(lines.begin(),
+                 {fmt::format("Each of these constraints is met by some design, but {} by none",
+                              result.infeasible.size() == 2
+                                  ? std::string("both")
+                                  : fmt::format("all {}", result.infeasible.size())),
+                  true});
+  }
+  const Hardware& hardware = options.model.hardware;
+  const double work_J = least_work_J(hardware, options.generator.fingers, options.grasps);
+  for (const DocumentLine& line : energy_lines(work_J, hardware.motor)) lines.push_back(line);
+  return lines;
 }
 
 }  // namespace reeve::reports

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/bars.hpp"
+#include "core/notation.hpp"
 #include "core/text.hpp"
 #include "reports/motor_words.hpp"
 #include "reports/sizing_words.hpp"
@@ -58,6 +60,22 @@ std::string targeted_text(const TargetedDesign& design, const Goal& goal) {
   return fmt::format("{}, shares miss by {}", start, fixed(design.sized.design.after.nominal));
 }
 
+// Bars are not among the parts that are explored.
+std::vector<DocumentLine> bar_lines(const Goal& goal) {
+  const auto bars = whiffletree(goal.target);
+  if (!bars) return {};
+  std::string arms;
+  for (const Tendon& tendon : bars->tendons) {
+    for (const Token& token : tendon.walk) {
+      if (token.kind != TokenKind::bar_arms) continue;
+      arms += fmt::format("{}{}:{} at W{}", arms.empty() ? "" : ", ", token.arms.right,
+                          token.arms.left, token.block);
+    }
+  }
+  return {{fmt::format("Bars are not explored; they give this ratio by statics: {}, arms {}",
+                       to_word(*bars), arms)}};
+}
+
 Json targeted_json(const TargetedDesign& design, const MotorParts& motor) {
   const SizedDesign& sized = design.sized.design;
   return {{"routing", design.sized.word},
@@ -93,6 +111,7 @@ std::vector<DocumentLine> target_lines(const std::optional<TargetReport>& report
       {start + targeted_text(first, goal), !first.is_met()},
       {fmt::format("Designs with this ratio by statics, without friction: {}",
                    report->by_statics)}};
+  for (const DocumentLine& line : bar_lines(goal)) lines.push_back(line);
   const SizedGoal& sized = first.sized.design.after;
   const MotorParts& motor = report->sizing.nominal.hardware.motor;
   for (const DocumentLine& line : motor_lines(sized.motor, motor)) {

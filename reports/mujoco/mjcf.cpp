@@ -55,7 +55,7 @@ std::string trees_lines(const Network& network) {
 
 std::string absent_lines(const Hardware& hardware, const Network& network) {
   std::string lines;
-  for (const std::string& note : model_notes({hardware, {}, {}}, network.fingers)) {
+  for (const std::string& note : model_notes({hardware, {}, {}}, std::vector{network})) {
     lines += "Note: " + note + ".\n";
   }
   return lines;

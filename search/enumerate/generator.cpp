@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "core/idle_values.hpp"
 #include "core/mechanics.hpp"
 #include "search/enumerate/checked.hpp"
 #include "search/enumerate/counting.hpp"
@@ -25,29 +26,27 @@ bool may_touch(const ContactHardware& contact, const PartSet& parts) {
 
 }  // namespace
 
-std::vector<std::string> impossible_contacts(const Hardware& hardware,
-                                             const GeneratorOptions& options) {
-  const MechanicsBuilder builder(hardware);
-  std::vector<std::string> missing = builder.unmatched_contacts({});
+std::vector<std::string> impossible_values(const Hardware& hardware,
+                                           const GeneratorOptions& options) {
+  IdleValues idle(hardware, options.fingers);
+  if (idle.empty()) return {};
   RoutingGenerator generator(options);
   Routing routing;
   Network network;
-  for (std::uint64_t i = 0; i < looked_at && !missing.empty() && generator.next(routing); ++i) {
+  for (std::uint64_t i = 0; i < looked_at && !idle.empty() && generator.next(routing); ++i) {
     if (!is_actuated(routing)) continue;
     expand(routing, network);
-    const std::vector<std::string> here = builder.unmatched_contacts(network);
-    std::erase_if(missing, [&](const std::string& contact) {
-      return std::find(here.begin(), here.end(), contact) == here.end();
-    });
+    idle.look_at(network);
   }
-  if (generator.total() <= looked_at) return missing;
-  std::erase_if(missing, [&](const std::string& contact) {
-    return std::any_of(hardware.contacts.begin(), hardware.contacts.end(),
-                       [&](const ContactHardware& named) {
-                         return name_of(named) == contact && may_touch(named, options.parts);
-                       });
+  std::vector<std::string> keys = idle.keys();
+  if (generator.total() <= looked_at) return keys;
+  std::erase_if(keys, [&](const std::string& key) {
+    return std::none_of(
+        hardware.contacts.begin(), hardware.contacts.end(), [&](const ContactHardware& named) {
+          return "contact." + name_of(named) == key && !may_touch(named, options.parts);
+        });
   });
-  return missing;
+  return keys;
 }
 
 RoutingGenerator::RoutingGenerator(const GeneratorOptions& options)

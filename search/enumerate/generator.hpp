@@ -65,10 +65,10 @@ struct ShardRange {
 // The i-th of n parts of 0 … total, i from 1: all parts together are exactly the whole.
 ShardRange shard_range(std::uint64_t total, std::uint64_t i, std::uint64_t n);
 
-// Returns the contacts that the hardware names, as the user wrote them, and none of the routings
-// has. Of a large enumeration the first are looked at; what they lack counts as possible, unless
-// its segments cannot touch in any routing.
-std::vector<std::string> impossible_contacts(const Hardware& hardware,
-                                             const GeneratorOptions& options);
+// Returns the keys of the hardware's values that act at no contact of any of the routings
+// (core/idle_values.hpp). Of a large enumeration the first are looked at; what is idle in them
+// counts as possible, unless it is of a contact whose segments cannot touch in any routing.
+std::vector<std::string> impossible_values(const Hardware& hardware,
+                                           const GeneratorOptions& options);
 
 }  // namespace reeve::search

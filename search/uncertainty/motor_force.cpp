@@ -1,8 +1,10 @@
 #include "search/uncertainty/motor_force.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/hand.hpp"
 #include "search/evaluate/evaluation.hpp"
 
 namespace reeve::search {
@@ -38,7 +40,28 @@ std::optional<MotorForce> motor_force(const Routing& routing, const UncertaintyO
                     .draws = options.draws,
                     .seed = options.seed,
                     .stroke_mm = value(values, Objective::stroke),
-                    .closure = value(values, Objective::closure)};
+                    .closure = value(values, Objective::closure),
+                    .least_work_J = least_work_J(options.nominal.hardware, finger_count(routing),
+                                                 options.grasps)};
+}
+
+double least_work_J(const Hardware& hardware, int fingers, const GraspSet& grasps) {
+  const auto known = hand(hardware);
+  if (!known) return 0;
+  const Hand ideal = without_guides(*known);
+  double most_Nmm = 0;
+  for (const WeightedGrasp& weighted : grasps) {
+    double work_Nmm = 0;
+    for (int number = 1; number <= fingers; ++number) {
+      if (weighted.grasp.holds(number)) continue;
+      const HandFinger& finger = ideal.finger(number);
+      const FingerPull unit{1, 0};
+      work_Nmm += core::motor_force(finger, false, unit) * finger.excursion_mm;
+    }
+    most_Nmm = std::max(most_Nmm, work_Nmm);
+  }
+  constexpr double Nmm_per_J = 1000;
+  return most_Nmm / Nmm_per_J;
 }
 
 }  // namespace reeve::search

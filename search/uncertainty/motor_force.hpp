@@ -8,6 +8,11 @@
 //
 // A motor is enough if it pulls with the quantile: then 95 % of the hands reach all wanted forces.
 // Its stroke is enough if the hand closes by it.
+//   least work  no lossless routing needs less than Σ P_f E_f over the fingers that close in a
+//             grasp, the greatest of the grasps: P_f the pull for the wanted force and against the
+//             springs without guides, E_f the excursion. In that grasp F_M D η = Σ p_f F_M E_f with
+//             η <= 1 and p_f F_M >= P_f, so that F_M D is no less, whatever the routing
+//
 // The number is the same wherever it is asked of the same routing, model, grasps, draws and seed.
 #pragma once
 
@@ -31,11 +36,15 @@ struct MotorForce {
   std::uint64_t seed = 0;
   double stroke_mm = 0;  // infinite if the carriage cannot move from the open hand
   double closure = 1;    // at that stroke; below 1 if the carriage is then blocked
+  double least_work_J = 0;
 
   bool is_met_by(double motor_N) const { return p95_N <= motor_N; }
 };
 
 // Returns nothing if the hardware has no hand, or does not know the fingers.
 std::optional<MotorForce> motor_force(const Routing& routing, const UncertaintyOptions& options);
+
+// Returns the least work of fingers 1 … `fingers`, 0 without a hand.
+double least_work_J(const Hardware& hardware, int fingers, const GraspSet& grasps);
 
 }  // namespace reeve::search

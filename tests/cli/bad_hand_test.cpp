@@ -10,8 +10,8 @@ namespace reeve::testing {
 namespace {
 
 const std::string needed =
-    " needs a hand; expected the joints of its fingers in the file of --hardware or --model "
-    "(docs/hand.md)";
+    " needs a hand; expected the joints of its fingers, or a pull wanted of them, in the file of "
+    "--hardware or --model (docs/hand.md)";
 
 BadLine with_file(Arguments arguments, const std::string& file, const std::string& message) {
   arguments.insert(arguments.end(), {"--hardware", file});

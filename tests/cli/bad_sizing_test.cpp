@@ -12,7 +12,7 @@ TEST(BadSizing, OfBoundsIsNamedWithWhatWasExpected) {
   expect_all_bad({
       {"size TR1",
        "size: nothing to vary; expected --vary, such as --vary sheath_angle=3..9, or "
-       "[vary] in the hardware file"},
+       "[vary] in the hardware file; reeve show says what motor the hand needs as it is"},
       {"size TR1 --vary tip_angle",
        "--vary 'tip_angle': expected a dimension and its bounds, such as "
        "sheath_angle[1]=3..9"},
@@ -28,8 +28,8 @@ TEST(BadSizing, OfBoundsIsNamedWithWhatWasExpected) {
       {"size TR1 --vary tip_angle=1..4 --vary tip_angle=1..3",
        "--vary 'tip_angle=1..3': what --vary 'tip_angle=1..4' varies is varied again"},
       {"size TR1 --vary tip_angle=1..4 --goal motor_force",
-       "--goal: motor_force needs a hand; expected the joints of its fingers in the file of "
-       "--hardware or --model"},
+       "--goal: motor_force needs a hand; expected the joints of its fingers, or a pull wanted "
+       "of them, in the file of --hardware or --model"},
       {"size TR1 --vary tip_angle=1..4 --goal score --score closure=1",
        "--score: closure needs a hand; expected"},
       {"size TR1 --vary tip_angle=1..4 --equal sheaths",
@@ -157,7 +157,6 @@ TEST(BadSizing, OfRoutingsIsNamed) {
       line("--from explored --top 1",
            "--from: explored: there is no summary.json, which is written last; expected the folder "
            "of an exploration that was written to its end"),
-      line("TR1 --hardware contact.toml", "contact.toml:1:10: hardware: contact 'a-T9'"),
       line("TR1 --save-hardware missing/h.toml",
            "--save-hardware 'missing/h.toml': expected a file that can be written"),
       line("TR1 --save-hardware explored",

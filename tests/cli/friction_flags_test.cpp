@@ -76,7 +76,9 @@ TEST(QuickFriction, GivesRankExploreAndSizeWhatAFileGives) {
   const std::string file = " --hardware h.toml";
   EXPECT_EQ(printed("rank --catalogue --format csv" + quick),
             printed("rank --catalogue --format csv" + file));
-  const std::string size = "size TR7 --vary tip_angle=1..4 --nominal --starts 1 --evaluations 30";
+  const std::string size =
+      "size TR7 --vary tip_angle=1..4 --nominal --starts 1 --evaluations 30 "
+      "--format json";
   EXPECT_EQ(printed(size + quick), printed(size + file));
   printed("explore --out quick" + quick);
   printed("explore --out file" + file);
@@ -89,12 +91,12 @@ TEST(QuickFriction, IsPrintedOnTheFirstScreenOfAnExploration) {
   const testing::TemporaryFolder folder;
   const testing::ProcessResult result = testing::reeve(
       "explore --fingers 2 --mu 0.1 --sheath-bend 90deg", {.directory = folder.path()});
-  EXPECT_TRUE(
-      has(result.out,
-          "Assumed: tubes mu 0.1 over 180 deg, bearings mu 0.001 over 180 deg, sheaths mu "
-          "0.1 over 90 deg; only capstan friction\nParts: tips tube, bearing; joins T, B, "
-          "P; ends M, F; anchored tips; up to 1 floating block; any number of tendons; identical "
-          "fingers\n"))
+  EXPECT_TRUE(has(
+      result.out,
+      "Assumed, by default with --mu 0.1 --sheath-bend 90deg: tubes mu 0.1 over 180 deg, bearings mu 0.001 over 180 deg, sheaths mu "
+      "0.1 over 90 deg; only capstan friction\nParts: tips tube, bearing; joins T, B, "
+      "P; ends M, F; anchored tips; up to 1 floating block; any number of tendons; identical "
+      "fingers\n"))
       << result.out;
 }
 

@@ -90,7 +90,7 @@ TEST(KeysOfDiagnose, AreThePromisedOnes) {
             "name parameter value low high at_bound hardware p_value differs");
   EXPECT_EQ(keys(json["ranking"]), "changes before after");
   EXPECT_EQ(keys(json["calibration"]), "replicates family_wise_alpha p_value structure_p_value");
-  EXPECT_EQ(keys(json["settings"]), "data alpha hold_out seed generated_routings hardware laws");
+  EXPECT_EQ(keys(json["settings"]), "data alpha hold_out seed generated_routings hardware terms");
 }
 
 TEST(KeysOfDiagnose, OfReadingsThatArePublishedAreThePromisedOnes) {

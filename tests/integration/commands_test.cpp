@@ -98,6 +98,51 @@ TEST(Model, OfAFingerThatNoRoutingHasIsNoted) {
   EXPECT_FALSE(has(three.out, "changes nothing"));
 }
 
+// The tips of 1x are tied, and no sheath leads to a finger of M-Y1+1x-Y1-2x.
+TEST(ValuesOfNoContact, AreNotedOfOneRoutingAndRefusedOfAList) {
+  const TemporaryFolder folder;
+  const ProcessOptions there{.directory = folder.path()};
+  folder.write("one.toml", "[finger.1]\nsheath_mu = 0.5\n");
+  folder.write("two.toml", "[finger.2]\ntip_mu = 0.5\n[contact.\"T1-T2\"]\nmu = 0.5\n");
+  folder.write("said.toml", "[finger.1]\ntip_angle_rad = 2\n[contact.\"T2-T3\"]\nangle_rad = 1\n");
+  const std::string one =
+      "Note: finger.1.sheath_mu of the hardware changes nothing: no contact here takes it";
+  const std::string two =
+      "Note: finger.2.tip_mu, contact.T1-T2 of the hardware change nothing: no contact here takes "
+      "them";
+  const std::string size = " --vary sheath_angle=1..2 --nominal --starts 1";
+  for (const std::string line :
+       {"show M-Y1+1x-Y1-2x", "export M-Y1+1x-Y1-2x", "size M-Y1+1x-Y1-2x"}) {
+    const std::string options = line.starts_with("size") ? size : "";
+    EXPECT_TRUE(has(reeve((line + options + " --hardware one.toml").c_str(), there).out, one))
+        << line;
+    EXPECT_TRUE(has(reeve((line + options + " --hardware two.toml").c_str(), there).out, two))
+        << line;
+  }
+  EXPECT_FALSE(has(reeve("show TR1 --hardware one.toml", there).out, "Note: "));
+  // The word has the angles.
+  EXPECT_TRUE(has(reeve("show M-1/90-T/90-2-F --hardware said.toml", there).out,
+                  "Note: finger.1.tip_angle_rad, contact.T2-T3 of the hardware change nothing"));
+  const auto refused = [&](const char* line, const std::string& why) {
+    const ProcessResult result = reeve(line, there);
+    EXPECT_EQ(result.exit_code, 2) << line;
+    EXPECT_TRUE(has(result.err, why)) << result.err;
+  };
+  const std::string sheath =
+      "one.toml:2:1: hardware: finger.1.sheath_mu; expected a contact on which it acts in ";
+  refused("rank M-Y1+1x-Y1-2x M-Y1+F-2-Y1-1-F --hardware one.toml", sheath + "one of the routings");
+  refused("rank M-Y1+1x-Y1-2x --hardware two.toml", "finger.2.tip_mu; expected a contact");
+  folder.write("middle.toml", "[finger.2]\nsheath_mu = 0.5\n");
+  refused(
+      "explore --fingers 3 --parts paper --joins T --tendons one --hardware middle.toml",
+      "middle.toml:2:1: hardware: finger.2.sheath_mu; expected a contact on which it acts in one "
+      "of the routings that are explored");
+  // It acts in one of them.
+  const ProcessResult ranked = reeve("rank M-Y1+1x-Y1-2x TR1 --hardware one.toml", there);
+  EXPECT_EQ(ranked.exit_code, 0) << ranked.err;
+  EXPECT_TRUE(has(ranked.out, ", 1 finger with own values where a routing has them;"));
+}
+
 TEST(Model, WithoutEffectsIsItsHardware) {
   const TemporaryFolder folder;
   const std::string file = folder.write("m.toml", "[tube]\nmu = 0.1\n").string();

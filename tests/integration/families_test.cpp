@@ -83,8 +83,26 @@ TEST(ShowOfAMechanism, TakesItsOwnHardwareUnlessAnotherIsGiven) {
   EXPECT_FALSE(given.contains("own_hardware"));
   // Its word is nobody's own.
   EXPECT_FALSE(json_of({"show", "M-B-1x"}).contains("own_hardware"));
-  const std::string text = reeve("show PulleyTurn").out;
-  EXPECT_TRUE(has(text, "With its own hardware, from the catalogue"));
+}
+
+// So that who compares two subcommands sees why their numbers differ.
+TEST(ShowOfAMechanism, SaysWhoseHardwareItTakes) {
+  const std::string owner =
+      "Assumed, by the catalogue's PulleyTurn (show its word for the default)";
+  EXPECT_TRUE(has(reeve("show PulleyTurn").out, owner + ": tubes mu "));
+  const std::string rough = reeve("show PulleyTurn --sheath-mu 0.1").out;
+  EXPECT_TRUE(has(rough, owner + " with --sheath-mu 0.1: tubes mu "));
+  EXPECT_TRUE(json_of({"show", "PulleyTurn", "--sheath-mu", "0.1"}).contains("own_hardware"));
+  const TemporaryFolder folder;
+  const std::string out = folder.path().string();
+  reeve({"show", "PulleyTurn", "--out", out});
+  const std::string page = read_text(folder.path() / "index.html");
+  EXPECT_TRUE(has(page, "id=\"assumed\">Assumed, by the catalogue"));
+  for (const char* line : {"show M-B-1x", "rank PulleyTurn", "explore --fingers 1",
+                           "size PulleyTurn --vary sheath_angle=1..2 --nominal --starts 1"}) {
+    const ProcessResult result = reeve(line, {.directory = folder.path()});
+    EXPECT_TRUE(has(result.out, "Assumed, by default: tubes mu ")) << line << result.err;
+  }
 }
 
 TEST(ShowOfAMechanism, HasItsNameThoughAnotherHasItsWord) {

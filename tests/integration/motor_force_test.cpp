@@ -1,6 +1,8 @@
 // The motor force is one number: the same of the same hardware, whichever command tells it.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "tests/integration/explored.hpp"
@@ -80,6 +82,32 @@ TEST(MotorForceOfTheCommands, IsJudgedByItsQuantileInOneSentence) {
   EXPECT_TRUE(has(shown, sentence));
   EXPECT_FALSE(has(shown, "The motor's 80 N is enough"));
   EXPECT_TRUE(has(output_of({"rank", sized_word, "--hardware", file}), sentence));
+}
+
+// Both strands of M-1b-F pull with T_M e^{-0.18 · 2π}, and the motor takes in both excursions.
+TEST(WantedPull, IsAHandWhoseLeverIsItsArm) {
+  const TemporaryFolder folder;
+  const std::string pull =
+      "[bearing]\nmu = 0\n[hand]\nforce_N = 20\n"
+      "joints = [{ arm_mm = 25, lever_mm = 25, range_deg = 57.29577951308232 }]\n";
+  const std::string file = folder.write("pull.toml", pull).string();
+  const Json motor = parsed({"show", "M-1b-F", "--hardware", file})["hand"]["motor"];
+  EXPECT_NEAR(motor["force_N"], 10 * std::exp(0.18 * 2 * std::numbers::pi), 1e-6);
+  EXPECT_NEAR(motor["stroke_mm"], 2 * 25, 1e-6);
+
+  // A pull of 20 N over 25 mm takes 0.5 J, whatever the routing.
+  const std::string said = " is less than the 0.5 J that the fingers take: no routing can do it\n";
+  folder.write("weak.toml", pull + "[motor]\nforce_N = 5\nstroke_mm = 60\n");
+  folder.write("just.toml", pull + "[motor]\nforce_N = 10\nstroke_mm = 60\n");
+  const ProcessOptions there{.directory = folder.path()};
+  EXPECT_TRUE(
+      has(reeve("show M-1b-F --hardware weak.toml", there).out, "\n5 N x 60 mm = 0.3 J" + said));
+  EXPECT_FALSE(has(reeve("show M-1b-F --hardware just.toml", there).out, said));
+  const ProcessResult none = reeve(
+      "explore --fingers 1 --constraint motor_force<=5 --constraint stroke<=60 --hardware weak.toml",
+      there);
+  EXPECT_EQ(none.exit_code, 1) << none.err;
+  EXPECT_TRUE(has(none.out, "\n5 N x 60 mm = 0.3 J" + said)) << none.out;
 }
 
 }  // namespace

@@ -53,6 +53,9 @@ TEST(ExploredTarget, OutOfReachIsExitCodeOne) {
       Arguments{"--parts", "paper", "--target", "1=200,2=1", "--constraint", "sheaths<=1"});
   EXPECT_EQ(far.result.exit_code, 1);
   EXPECT_TRUE(has(far.result.out, "No design reaches the target 200.00:1.00; the nearest is "));
+  EXPECT_TRUE(has(far.result.out,
+                  "\nBars are not explored; they give this ratio by statics: "
+                  "M-W1+1x-W1/200:1-2x, arms 1:200 at W1\n"));
 }
 
 // The rows of the file, by these columns.

@@ -184,7 +184,7 @@ TEST(ExplorationPage, SaysOnTheFirstScreenWhatWasAssumed) {
   const std::string html = exploration_page(testing::view(explored(small_options()))).html;
   const std::string screen = html.substr(0, html.find("class=\"workspace\""));
   for (const char* said :
-       {"id=\"assumed\">Assumed: tubes mu 0.18 over 180 deg, ",
+       {"id=\"assumed\">Assumed, by default: tubes mu 0.18 over 180 deg, ",
         "; only capstan friction. Parts: tips tube, bearing; joins T, B, P; ends M, F; any number ",
         ". Fingers held: none/1/2.</p>"}) {
     EXPECT_NE(screen.find(said), std::string::npos) << said;

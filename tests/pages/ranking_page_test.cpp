@@ -45,8 +45,9 @@ TEST(RankingPlot, TellsCostsOfGramsInTonnesApart) {
 }
 
 TEST(RankingPage, SaysOnTheFirstScreenWhatWasAssumed) {
-  EXPECT_NE(catalogue().html.find("id=\"assumed\">Assumed: tubes mu 0.18 over 180 deg, "),
-            std::string::npos);
+  EXPECT_NE(
+      catalogue().html.find("id=\"assumed\">Assumed, by default: tubes mu 0.18 over 180 deg, "),
+      std::string::npos);
 }
 
 TEST(RankingCharts, DrawTheTensionsOfTheFileAsBars) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <numbers>
 
 #include "tests/support/has.hpp"
@@ -19,11 +20,21 @@ FingerHardware finger_numbered(int number) {
 
 TEST(AssumedText, HasFrictionBendsAndTheLaw) {
   Model model;
-  EXPECT_EQ(assumed_text(model),
-            "Assumed: tubes mu 0.18 over 180 deg, bearings mu 0.001 over 180 deg, sheaths mu 0.18 "
-            "over 360 deg; only capstan friction");
+  EXPECT_EQ(
+      assumed_text(model),
+      "Assumed, by default: tubes mu 0.18 over 180 deg, bearings mu 0.001 over 180 deg, sheaths mu 0.18 "
+      "over 360 deg; only capstan friction");
   model.hardware.fingers = {finger_numbered(1)};
-  EXPECT_TRUE(has(assumed_text(model), ", 1 finger with values of its own;"));
+  EXPECT_TRUE(has(assumed_text(model), ", 1 finger with own values where a routing has them;"));
+  model.hardware.contacts = {{"T1", "T2", 0.1, {}}, {"a", "T1", 0.1, {}}};
+  EXPECT_TRUE(has(assumed_text(model), ", 1 finger and 2 contacts with own values where "));
+}
+
+TEST(AssumedText, SaysWhoseHardwareItIs) {
+  Model model;
+  model.hardware.origin =
+      std::make_shared<const HardwareOrigin>(HardwareOrigin{"rigs/thumb.toml with --mu 0.1", {}});
+  EXPECT_TRUE(has(assumed_text(model), "Assumed, by thumb.toml with --mu 0.1: tubes mu 0.18"));
 }
 
 TEST(AngleNotes, QuestionAnglesThatLookLikeDegrees) {

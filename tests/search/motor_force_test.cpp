@@ -5,9 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <vector>
 
 #include "core/notation.hpp"
+#include "search/enumerate/generator.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "search/uncertainty/coefficient_box.hpp"
 #include "tests/support/example_hand.hpp"
 
@@ -44,6 +48,55 @@ TEST(MotorForce, IsNominalAndInTheQuantileWhatTheCapstanLawSays) {
   EXPECT_EQ(force->draws, motor_draws);
   EXPECT_TRUE(force->is_met_by(force->p95_N));
   EXPECT_FALSE(force->is_met_by(force->p95_N - 1e-6));
+}
+
+// 20 N along 10 mm · π/2 on each of two fingers; against its spring finger 2 takes 30 N.
+TEST(LeastWork, IsPullTimesExcursionOfTheFingersThatClose) {
+  constexpr double half_turn = std::numbers::pi / 2;
+  Hardware hardware = hand_of({simple_finger(10, 90, 10, 20), simple_finger(10, 90, 10, 20)});
+  EXPECT_NEAR(least_work_J(hardware, 2, parse_grasps("none", 2)), 2 * 20 * 10 * half_turn / 1000,
+              1e-12);
+  EXPECT_NEAR(least_work_J(hardware, 2, parse_grasps("1", 2)), 20 * 10 * half_turn / 1000, 1e-12);
+  FingerJoint& joint = hardware.fingers[1].parts.joints.front();
+  joint.spring_Nmm_rad = 10 * 30 / half_turn;
+  joint.held_deg = 0;
+  EXPECT_NEAR(least_work_J(hardware, 2, single_grasps(2)), (20 + 30) * 10 * half_turn / 1000,
+              1e-12);
+  EXPECT_EQ(least_work_J(Hardware{}, 2, single_grasps(2)), 0);
+}
+
+// Whatever the routing: motor force times stroke is no less, and without friction some has no more.
+TEST(LeastWork, IsABoundOfAllRoutingsThatCloseTheHand) {
+  UncertaintyOptions options{Model{hand_of({simple_finger(10, 90, 60, 10), three_joint_finger(),
+                                            simple_finger(6, 70, 30, 3)})},
+                             {},
+                             single_grasps(3),
+                             {}};
+  options.draws = 1;
+  const EvaluationScope scope =
+      scope_for({Objective::motor_force, Objective::stroke, Objective::closure}, options.score);
+  const GeneratorOptions parts{all_parts(), 3, FingerIdentity::distinct, false};
+  double least_lossless = std::numeric_limits<double>::infinity();
+  for (const bool is_lossless : {false, true}) {
+    for (ContactLaw* law : {&options.nominal.hardware.tube, &options.nominal.hardware.sheath,
+                            &options.nominal.hardware.bearing}) {
+      if (is_lossless) law->mu = 0;
+    }
+    RoutingGenerator generator(parts);
+    Routing routing;
+    DesignEvaluator evaluator(options.nominal, options.grasps, options.score);
+    const double least_J = least_work_J(options.nominal.hardware, 3, options.grasps);
+    while (generator.next(routing)) {
+      if (!is_actuated(routing)) continue;
+      const ObjectiveValues values = evaluator.evaluate(routing, scope);
+      if (value(values, Objective::closure) < 1) continue;
+      const double asked_J =
+          value(values, Objective::motor_force) * value(values, Objective::stroke) / 1000;
+      ASSERT_GE(asked_J, least_J * (1 - 1e-6)) << to_word(routing);
+      if (is_lossless) least_lossless = std::min(least_lossless, asked_J / least_J);
+    }
+  }
+  EXPECT_LT(least_lossless, 1.2);
 }
 
 TEST(MotorForce, IsThatOfTheGraspThatAsksForMost) {
