@@ -38,7 +38,7 @@ TEST(RoutingPage, LiesBesideTheUsualResult) {
 
 TEST(RoutingPage, SaysOnTheFirstScreenWhatWasAssumed) {
   const Shown shown({"TR5", "--tube-mu", "0.1"});
-  EXPECT_TRUE(shown.has("id=\"assumed\">Assumed, by default: tubes mu 0.1 over 180 deg, "));
+  EXPECT_TRUE(shown.has("id=\"assumed\">Assumed, by default with --tube-mu 0.1: tubes mu 0.1 "));
 }
 
 TEST(RoutingPage, HasTheTensionsOfEachGrasp) {
