@@ -35,7 +35,7 @@ std::string angles_text(const ShownClosing& closing) {
 Figure angle_figure(const ShownClosing& closing, std::size_t number) {
   chart::Panel panel;
   panel.x.title = "excursion, mm";
-  panel.y.title = "flexion, deg";
+  panel.y.title = "flexion, °";
   for (std::size_t j = 0; j < closing.motion.closing.front().flexion_rad.size(); ++j) {
     const std::string name = fmt::format("joint {}", j + 1);
     chart::Style style;

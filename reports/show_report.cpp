@@ -25,10 +25,10 @@ std::string sliding(const Network& network, const ContactEnds& ends, double slip
   return slip > 0 ? left + "->" + right : right + "->" + left;
 }
 
-// "tube", "tube 90°"
+// "tube", "tube 90 deg"
 std::string kind_text(const Contact& contact) {
   const std::string kind = contact_kind_name(contact.kind);
-  return contact.angle.is_given() ? fmt::format("{} {}°", kind, contact.angle.degrees()) : kind;
+  return contact.angle.is_given() ? fmt::format("{} {} deg", kind, contact.angle.degrees()) : kind;
 }
 
 template <typename Visit>

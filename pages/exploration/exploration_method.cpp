@@ -20,7 +20,7 @@ std::string spaced(const std::string& list) {
 
 std::string friction_text(const Hardware& hardware) {
   const auto law = [](const char* what, const ContactLaw& contact) {
-    return fmt::format("{} μ {:.4g} over {:.4g} deg", what, contact.mu,
+    return fmt::format("{} μ {:.4g} over {:.4g}°", what, contact.mu,
                        in_deg(contact.whole_angle_rad()));
   };
   std::string text =

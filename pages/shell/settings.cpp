@@ -48,12 +48,12 @@ std::string of_joints(const std::vector<FingerJoint>& joints, double FingerJoint
   return fmt::format(", {} {} {}", name, fmt::join(values, "/"), unit);
 }
 
-// ", guides tube (mu 0.1)/none"; "" without any.
+// ", guides tube (μ 0.1)/none"; "" without any.
 std::string guides_text(const std::vector<FingerJoint>& joints) {
   if (!has_guides(joints)) return "";
   std::vector<std::string> guides;
   for (const FingerJoint& joint : joints) {
-    const std::string mu = joint.mu ? fmt::format(" (mu {})", six_digits(*joint.mu)) : "";
+    const std::string mu = joint.mu ? fmt::format(" (μ {})", six_digits(*joint.mu)) : "";
     guides.push_back(joint.guide == JointGuide::none ? "none" : guide_name(joint.guide) + mu);
   }
   return fmt::format(", guides {}", fmt::join(guides, "/"));

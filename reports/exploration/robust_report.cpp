@@ -28,7 +28,7 @@ double robust_loss(const RobustFirst& first) {
 
 std::string measure_words(const RobustFirst& first) {
   if (first.by_score) return "5 % quantile of the score";
-  return first.over_draws ? "5 % quantile of uniformity × efficiency"
+  return first.over_draws ? "5 % quantile of uniformity x efficiency"
                           : "product of the 5 % quantiles of uniformity and efficiency";
 }
 

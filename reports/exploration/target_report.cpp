@@ -28,7 +28,7 @@ std::string ratio_text(const std::vector<double>& shares, const Goal& goal) {
 }
 
 std::string moved_ratio_text(const TargetedDesign& design, const Goal& goal) {
-  return fmt::format("with μ -50 % {}, +50 % {}, with unlike contacts {}",
+  return fmt::format("with mu -50 % {}, +50 % {}, with unlike contacts {}",
                      ratio_text(design.moved_shares.front(), goal),
                      ratio_text(design.moved_shares.back(), goal),
                      ratio_text(design.unlike.shares, goal));
@@ -124,9 +124,9 @@ Section target_section(const std::optional<TargetReport>& report) {
   if (!report || report->designs.empty()) return {};
   const Goal& goal = report->sizing.goal;
   Table table{{number_column("rank"), text_column("routing"), text_column("ratio"),
-               number_column("sized"), number_column("μ -50 %", "", 1),
-               number_column("μ +50 %", "", 1), number_column("unlike contacts", "", 1),
-               number_column("miss"), number_column("without μ"), number_column("sheaths", "", 2)},
+               number_column("sized"), number_column("mu -50 %", "", 1),
+               number_column("mu +50 %", "", 1), number_column("unlike contacts", "", 1),
+               number_column("miss"), number_column("without mu"), number_column("sheaths", "", 2)},
               {}};
   const bool hand = report->designs.front().sized.design.after.motor.has_value();
   if (hand) {

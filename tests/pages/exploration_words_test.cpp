@@ -63,17 +63,16 @@ TEST(ExplorationAnswer, AdvisesADesignOnceIfItIsAffordableAndTheKnee) {
 TEST(ExplorationWords, SayWhatWasCountedAndWhatHasItsOwnFriction) {
   ExploreReport report = explored(small_options());
   expect_says(pages::explored_words(report), "; any number of tendons; fingers count as alike.");
-  expect_says(pages::explored_words(report), "sheaths μ 0.18 over 360 deg. ");
+  expect_says(pages::explored_words(report), "sheaths μ 0.18 over 360°. ");
   report.options.generator.one_tendon = true;
   report.options.generator.identity = FingerIdentity::distinct;
   Hardware& hardware = report.options.model.hardware;
   hardware.block = ContactLaw{0.25, 3};
   hardware.contacts.push_back({"T1", "T2", 0.1, {}});
   expect_says(pages::explored_words(report), "; one tendon; fingers are told apart.");
-  expect_says(
-      pages::explored_words(report),
-      ", floating blocks μ 0.25 over 171.9 deg. 0 fingers and 1 contact have values of their "
-      "own.");
+  expect_says(pages::explored_words(report),
+              ", floating blocks μ 0.25 over 171.9°. 0 fingers and 1 contact have values of their "
+              "own.");
 }
 
 TEST(ExplorationWords, SayWhenTheFirstStandsAlone) {

@@ -218,7 +218,7 @@ TEST(TradeoffTable, IsLeftOutWithOneStep) {
 TEST(TradeoffCsv, HasARowForEachStepWithGainsAndLosses) {
   const std::string csv = tradeoff_csv(three_steps(), "partial: half");
   EXPECT_TRUE(
-      csv.starts_with("# partial: half\nladder,at_most,routing,name,rank,kept,marks,"
+      csv.starts_with("# partial: half\ntradeoff,at_most,routing,name,rank,kept,marks,"
                       "uniformity_mean,"));
   EXPECT_TRUE(testing::has(csv, ",efficiency_p5,gain_uniformity_mean,loss_uniformity_mean\n"));
   EXPECT_TRUE(testing::has(csv, "\nsheaths,1,A,,,0.625,,0.5,"));

@@ -24,7 +24,7 @@ TEST(RobustReport, SaysWhatEachOfTwoDesignsLoses) {
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(
       lines[0].text,
-      "Most robust design over the draws: F-1-M: 5 % quantile of uniformity × efficiency 0.250 "
+      "Most robust design over the draws: F-1-M: 5 % quantile of uniformity x efficiency 0.250 "
       "(best: 0.200, -20.0 %); nominal 0.400 (-20.0 %)");
   const Json json = reports::robust_json(first);
   EXPECT_EQ(json["by"], "product");

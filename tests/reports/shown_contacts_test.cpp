@@ -25,7 +25,7 @@ TEST(ShownContacts, OfALoopOfTwoSegmentsHaveTwoNames) {
 
 TEST(ShownContacts, HaveTheWrapAngleThatTheWordGives) {
   EXPECT_EQ(contacts_of("M-1/170-B/22.5-2-F"),
-            "a-T1 sheath, T1-T2 tube 170°, T2-T3 bearing 22.5°, T3-T4 tube");
+            "a-T1 sheath, T1-T2 tube 170 deg, T2-T3 bearing 22.5 deg, T3-T4 tube");
 }
 
 }  // namespace
