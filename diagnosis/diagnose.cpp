@@ -253,17 +253,19 @@ class Diagnosis {
            newtons_of(after) > same_N * newtons_of(beside_runs_apart(near));
   }
 
-  // Returns the forecasts of the folds' models without a cause of this name.
+  // Returns the forecasts of the folds' models without the cause of this name, or without what they
+  // have in its place.
   const Forecast& without_in_folds(const std::string& name) {
     const auto known = without_in_folds_.find(name);
     if (known != without_in_folds_.end()) return known->second;
     std::vector<Fold> folds;
     for (const Fold& fold : folds_) {
       Fold own{fold.unseen, {}, {}, {}, fold.forecast};
-      if (has(fold.found.model, name)) {
+      const std::string its = its_name_in(fold.found.model, name);
+      if (!its.empty()) {
         const Dataset training = dataset(data_, readings_beside(fold));
         const Problem seen = problem(training, fold.found.scatter, fold.found.model, workers_);
-        own.forecast = try_forecast(fold.unseen, fitted_without(seen, fold.found.model, name))
+        own.forecast = try_forecast(fold.unseen, fitted_without(seen, fold.found.model, its))
                            .value_or(fold.nominal);
       }
       folds.push_back(std::move(own));
@@ -272,9 +274,27 @@ class Diagnosis {
         .first->second;
   }
 
-  static bool has(const Model& model, const std::string& name) {
-    return std::any_of(model.effects.begin(), model.effects.end(),
-                       [&](const Effect& effect) { return effect_name(effect) == name; });
+  // Empty if the model has neither a cause of this name nor one that stands for it and is no other
+  // accepted one.
+  std::string its_name_in(const Model& model, const std::string& name) const {
+    const AcceptedTerm* accepted = find_accepted(name);
+    std::string stand_in;
+    for (const Effect& effect : model.effects) {
+      const std::string own = effect_name(effect);
+      if (own == name) return own;
+      if (stand_in.empty() && accepted != nullptr && stands_for(effect, *accepted) &&
+          find_accepted(own) == nullptr) {
+        stand_in = own;
+      }
+    }
+    return stand_in;
+  }
+
+  const AcceptedTerm* find_accepted(const std::string& name) const {
+    for (const AcceptedTerm& accepted : found_.accepted) {
+      if (effect_name(accepted.effect) == name) return &accepted;
+    }
+    return nullptr;
   }
 
   static Model fitted_without(const Problem& seen, Model model, const std::string& name) {
@@ -348,7 +368,10 @@ class Diagnosis {
   void weigh_by_residuals(std::vector<NamedWithOthers>& named) {
     std::vector<Effect> terms;
     for (const NamedWithOthers& each : named) terms.push_back(each.cause.effect);
-    const ExplainedResiduals by = explained_residuals(sample_, nominal_, result_.model, terms);
+    std::vector<Effect> apart;
+    for (const RunApart& run : result_.apart) apart.push_back(run.effect);
+    const ExplainedResiduals by =
+        explained_residuals(sample_, found_.problem, nominal_, result_.model, terms, apart);
     result_.residual_before_N = by.before_N;
     result_.residual_after_N = by.after_N;
     for (std::size_t i = 0; i < named.size(); ++i) named[i].cause.explained = by.terms[i];

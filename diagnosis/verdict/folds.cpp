@@ -63,15 +63,17 @@ std::optional<std::vector<Fold>> cross_validated(const MeasuredData& data,
   return result;
 }
 
+bool stands_for(const Effect& found, const AcceptedTerm& cause) {
+  const std::string name = effect_name(found);
+  return name == effect_name(cause.effect) || is_kin(found, cause.effect) ||
+         std::any_of(cause.alternatives.begin(), cause.alternatives.end(),
+                     [&](const Alternative& other) { return other.name == name; });
+}
+
 double share_of_folds(const std::vector<Fold>& folds, const AcceptedTerm& cause,
                       std::size_t place) {
   if (folds.empty()) return 1;
-  const auto is_it = [&](const AcceptedTerm& found) {
-    const std::string name = effect_name(found.effect);
-    return name == effect_name(cause.effect) || is_kin(found.effect, cause.effect) ||
-           std::any_of(cause.alternatives.begin(), cause.alternatives.end(),
-                       [&](const Alternative& other) { return other.name == name; });
-  };
+  const auto is_it = [&](const AcceptedTerm& found) { return stands_for(found.effect, cause); };
   const auto finds = [&](const Fold& fold) {
     return fold.found.holds[place] ||
            std::any_of(fold.found.accepted.begin(), fold.found.accepted.end(), is_it);

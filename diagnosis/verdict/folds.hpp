@@ -39,6 +39,9 @@ std::optional<std::vector<Fold>> cross_validated(const MeasuredData& data,
                                                  Workers& workers,
                                                  const std::function<bool()>& stop);
 
+// True if a fold's own term is this cause, another form of its law, or one of its alternatives.
+bool stands_for(const Effect& found, const AcceptedTerm& cause);
+
 // The share of the folds in which the cause that was accepted in this place holds: they find it or
 // one of its alternatives, or it is as evident there as what they find.
 double share_of_folds(const std::vector<Fold>& folds, const AcceptedTerm& cause, std::size_t place);
