@@ -13,6 +13,12 @@ using Eigen::Index;
 
 }  // namespace
 
+std::vector<std::size_t> readings_in(const Dataset& part) {
+  std::vector<std::size_t> readings;
+  for (const DatasetRow& row : part.rows) readings.push_back(row.reading);
+  return readings;
+}
+
 std::vector<std::size_t> dealt_runs(const MeasuredData& data,
                                     const std::vector<std::size_t>& readings, std::size_t folds) {
   std::vector<std::size_t> fold(data.runs.size(), folds);

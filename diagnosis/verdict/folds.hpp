@@ -28,6 +28,9 @@ struct Fold {
   Forecast forecast;
 };
 
+// Returns the readings of these rows, ascending.
+std::vector<std::size_t> readings_in(const Dataset& part);
+
 // Returns for each run of the data the fold that it is in. Only runs of these readings are dealt.
 std::vector<std::size_t> dealt_runs(const MeasuredData& data,
                                     const std::vector<std::size_t>& readings, std::size_t folds);
