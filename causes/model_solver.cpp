@@ -69,6 +69,7 @@ void ModelSolver::set_routing(const std::string& word, const Network& network,
     gather(number_, seized_.contact_from);
   }
   mechanics_ = plain_;
+  is_settled_ = false;
   left_.assign(network.contacts.size(), 0);
   right_.assign(network.contacts.size(), 0);
   for (const TendonSpan& tendon : seized_.network.tendons) {
@@ -160,11 +161,14 @@ double ModelSolver::compare_exponents(Direction direction, const Conditions& con
   return greatest;
 }
 
-bool ModelSolver::settle_by_newton(Grasp grasp, Direction direction, const Conditions& conditions) {
+void ModelSolver::begin_newton(const Conditions& conditions) {
   errors_.way.resize(plain_.phi.size());
   errors_.slope.assign(plain_.phi.size(), 0.0);
   wanted_ = mechanics_.phi;
   seen_N_.assign(plain_.phi.size(), conditions.motor_tension_N);
+}
+
+bool ModelSolver::settle_by_newton(Grasp grasp, Direction direction, const Conditions& conditions) {
   for (int step = 0; step < most_quick_steps && state_.in_range; ++step) {
     if (compare_exponents(direction, conditions) < tolerance) return true;
     const std::vector<double>& changes =
@@ -188,9 +192,7 @@ bool ModelSolver::settle_in_turn(Grasp grasp, Direction direction, const Conditi
   return false;
 }
 
-const TensionState& ModelSolver::solve(Grasp grasp, Direction direction,
-                                       const Conditions& conditions) {
-  grasp_ = grasp;
+void ModelSolver::settle_afresh(Grasp grasp, Direction direction, const Conditions& conditions) {
   const auto begin = [&] {
     if (!exponent_effects_.empty()) guess_exponents(direction, conditions);
     solver_.solve(seized_.network, mechanics_, grasp, direction, state_);
@@ -198,10 +200,27 @@ const TensionState& ModelSolver::solve(Grasp grasp, Direction direction,
   begin();
   converged_ = !depends_on_load_;
   if (!converged_ && seized_.network.blocks.empty()) {
-    converged_ = settle_by_newton(grasp, direction, conditions);
+    begin_newton(conditions);
+    is_settled_ = converged_ = settle_by_newton(grasp, direction, conditions);
     if (!converged_) begin();
   }
   if (!converged_) converged_ = settle_in_turn(grasp, direction, conditions);
+}
+
+// Where a force takes all that a contact has, the exponents of another load may be those of another
+// balance.
+bool ModelSolver::can_go_on(Grasp grasp, Direction direction) const {
+  return depends_on_load_ && is_settled_ && grasp == grasp_ && direction == direction_ &&
+         *std::max_element(mechanics_.phi.begin(), mechanics_.phi.end()) < max_exponent;
+}
+
+const TensionState& ModelSolver::solve(Grasp grasp, Direction direction,
+                                       const Conditions& conditions) {
+  const bool goes_on = can_go_on(grasp, direction);
+  grasp_ = grasp;
+  direction_ = direction;
+  is_settled_ = goes_on && settle_by_newton(grasp, direction, conditions);
+  if (!is_settled_) settle_afresh(grasp, direction, conditions);
   if (!seized_.network.split || !state_.in_range) return state_;
   restored_ = restored(seized_, state_);
   return restored_;

@@ -3,12 +3,13 @@
 //
 // The exponents of the plain model are changed by each effect in turn, phi' = f(phi, T_high); where
 // one depends on the tension, tensions and exponents are solved in turn until the exponents no
-// longer change (to 1e-10, relative), by Newton's method (exponent_step.hpp). Where that does not
-// end, each exponent goes to what its tension asks for: behind a motor-side segment a contact's
-// exponent depends on those before it only, so that this ends after about as many rounds as there
-// are contacts in a row. Where the tension falls towards the motor (release), a higher exponent
-// raises the tension on which it depends, and a force lowers it in return, by F / T_low: an
-// exponent that turns back goes only half as far the next time.
+// longer change (to 1e-10, relative), by Newton's method (exponent_step.hpp), which goes on from
+// the last load of the same motion. Where that does not end, each exponent goes to what its tension
+// asks for: behind a motor-side segment a contact's exponent depends on those before it only, so
+// that this ends after about as many rounds as there are contacts in a row. Where the tension falls
+// towards the motor (release), a higher exponent raises the tension on which it depends, and a
+// force lowers it in return, by F / T_low: an exponent that turns back goes only half as far the
+// next time.
 #pragma once
 
 #include <string>
@@ -63,6 +64,9 @@ class ModelSolver {
 
  private:
   void guess_exponents(Direction direction, const Conditions& conditions);
+  bool can_go_on(Grasp grasp, Direction direction) const;
+  void settle_afresh(Grasp grasp, Direction direction, const Conditions& conditions);
+  void begin_newton(const Conditions& conditions);
   bool settle_by_newton(Grasp grasp, Direction direction, const Conditions& conditions);
   double compare_exponents(Direction direction, const Conditions& conditions);
   bool settle_in_turn(Grasp grasp, Direction direction, const Conditions& conditions);
@@ -76,6 +80,7 @@ class ModelSolver {
   const Model* model_;
   std::string word_;
   Grasp grasp_;
+  Direction direction_ = Direction::pull;
   std::vector<const Effect*> exponent_effects_;
   bool depends_on_load_ = false;
   SeizedNetwork seized_;
@@ -96,6 +101,7 @@ class ModelSolver {
   TensionState state_;
   TensionState restored_;
   bool converged_ = true;
+  bool is_settled_ = false;  // by Newton's method, whose state is that of the last load
 };
 
 }  // namespace reeve::causes

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 
-#include "causes/term.hpp"
 #include "core/error.hpp"
 #include "diagnosis/chosen_readings.hpp"
 #include "diagnosis/diagnosis_result.hpp"
@@ -19,8 +18,8 @@
 #include "diagnosis/search/candidates.hpp"
 #include "diagnosis/search/term_search.hpp"
 #include "diagnosis/verdict/channel_units.hpp"
+#include "diagnosis/verdict/confirmation.hpp"
 #include "diagnosis/verdict/explained.hpp"
-#include "diagnosis/verdict/folds.hpp"
 #include "diagnosis/verdict/other_direction.hpp"
 #include "diagnosis/verdict/outlier_forecasts.hpp"
 #include "diagnosis/verdict/outlier_groups.hpp"
@@ -175,136 +174,13 @@ class Diagnosis {
     auto found = search.run([this](const char* stage) { return stopped(stage); });
     if (!found) return false;
     found_ = std::move(*found);
-    auto folds = cross_validated(data_, readings_of(sample_.training), nominal_, search, workers_,
+    auto folds = cross_validated(data_, readings_in(sample_.training), nominal_, search, workers_,
                                  [this] { return stopped("repeating the search by folds"); });
     if (!folds) return false;
-    folds_ = std::move(*folds);
-    result_.folds = folds_.size();
-    confirm();
+    result_.folds = folds->size();
+    confirmation_.emplace(sample_.training, nominal_, options, std::move(*folds), found_, workers_);
+    result_.not_confirmed = confirmation_->remove_the_others();
     return true;
-  }
-
-  // Removes what does not hold in most folds, what has no size that is known, what loses on unseen
-  // runs, or all if that loses there together.
-  void confirm() {
-    constexpr double most = 0.5;
-    for (std::size_t c = 0; c < found_.accepted.size() && !folds_.empty(); ++c) {
-      found_.accepted[c].folds = share_of_folds(folds_, found_.accepted[c], c);
-    }
-    for (std::size_t c = found_.accepted.size(); c-- > 0;) {
-      const AcceptedTerm& accepted = found_.accepted[c];
-      if (is_of_a_group(accepted)) {
-        found_ = without_term(sample_.training, found_, c, search_options(), workers_);
-        continue;
-      }
-      if (accepted.folds.value_or(1) <= most || stands_at_an_end(accepted)) drop(c);
-    }
-    if (folds_.empty()) return;
-    for (std::size_t c = found_.accepted.size(); c-- > 0;) {
-      if (!run_apart(found_.accepted[c]).empty()) continue;
-      const Forecast less = without_in_folds(effect_name(found_.accepted[c].effect));
-      if (is_worse_on_unseen_runs(less, less)) drop(c);
-    }
-    // Runs apart are of no model that forecasts others.
-    const bool forecasts =
-        std::any_of(found_.accepted.begin(), found_.accepted.end(),
-                    [](const AcceptedTerm& of) { return run_apart(of).empty(); });
-    if (!forecasts) return;
-    const Forecast nominal = joined(folds_, sample_.training, &Fold::nominal);
-    const Forecast base = joined(folds_, sample_.training, &Fold::base);
-    if (!is_worse_on_unseen_runs(base, nominal)) return;
-    while (!found_.accepted.empty()) drop(found_.accepted.size() - 1);
-  }
-
-  // A size at an end of its range may be another one in truth, and the cause another with it.
-  bool stands_at_an_end(const AcceptedTerm& accepted) const {
-    constexpr double near = 1e-3;  // share of the range
-    // A law's form that bends as far as it may looks like another form of it.
-    if (term_of(*accepted.effect.cause) != nullptr) return false;
-    const Effect& effect = found_.model.effects[place(found_.model, accepted.effect)];
-    const auto parameters =
-        searched_parameters(*effect.cause, nominal_.hardware, force_scale(data_));
-    if (parameters.empty() || parameters.front().ends_by_nature) return false;
-    const Range range = parameters.front().range;
-    const double margin = near * (range.high - range.low);
-    const double size = effect.values.front();
-    return size <= range.low + margin || size >= range.high - margin;
-  }
-
-  void drop(std::size_t cause) {
-    const std::string name = effect_name(found_.accepted[cause].effect);
-    result_.not_confirmed.insert(result_.not_confirmed.begin(), name);
-    found_ = without_term(sample_.training, found_, cause, search_options(), workers_);
-  }
-
-  // The models of the folds: in likelihood than `likely`, or in newtons than `near`.
-  bool is_worse_on_unseen_runs(const Forecast& likely, const Forecast& near) const {
-    // About 0 they say nothing: what they know of a cause may all stand in one run.
-    constexpr double refuted = -2;
-    constexpr double same_N = 1.02;
-    const Forecast after = beside_runs_apart(joined(folds_, sample_.training, &Fold::forecast));
-    const auto misfit_of = [&](const Forecast& at) {
-      return robust_misfit(residuals(found_.problem, at));
-    };
-    const auto newtons_of = [&](const Forecast& at) {
-      return own_residuals(found_.problem, at).cwiseProduct(found_.problem.deviation_N).norm();
-    };
-    return (misfit_of(beside_runs_apart(likely)) - misfit_of(after)) / 2 < refuted ||
-           newtons_of(after) > same_N * newtons_of(beside_runs_apart(near));
-  }
-
-  // Returns the forecasts of the folds' models without a cause of this name.
-  const Forecast& without_in_folds(const std::string& name) {
-    const auto known = without_in_folds_.find(name);
-    if (known != without_in_folds_.end()) return known->second;
-    std::vector<Fold> folds;
-    for (const Fold& fold : folds_) {
-      Fold own{fold.unseen, {}, {}, {}, fold.forecast};
-      if (has(fold.found.model, name)) {
-        const Dataset training = dataset(data_, readings_beside(fold));
-        const Problem seen = problem(training, fold.found.scatter, fold.found.model, workers_);
-        own.forecast = try_forecast(fold.unseen, fitted_without(seen, fold.found.model, name))
-                           .value_or(fold.nominal);
-      }
-      folds.push_back(std::move(own));
-    }
-    return without_in_folds_.emplace(name, joined(folds, sample_.training, &Fold::forecast))
-        .first->second;
-  }
-
-  static bool has(const Model& model, const std::string& name) {
-    return std::any_of(model.effects.begin(), model.effects.end(),
-                       [&](const Effect& effect) { return effect_name(effect) == name; });
-  }
-
-  static Model fitted_without(const Problem& seen, Model model, const std::string& name) {
-    std::erase_if(model.effects, [&](const Effect& effect) { return effect_name(effect) == name; });
-    return fit(seen, model).model;
-  }
-
-  // Readings of runs that follow a law of their own are no model's to forecast.
-  Forecast beside_runs_apart(Forecast at) const {
-    for (std::size_t i = 0; i < sample_.training.cells.size(); ++i) {
-      const Cell& cell = sample_.training.cells[i];
-      const std::string& run = data_.runs[data_.readings[cell.reading].run];
-      const bool is_apart =
-          std::any_of(found_.accepted.begin(), found_.accepted.end(),
-                      [&](const AcceptedTerm& of) { return run_apart(of) == run; });
-      if (is_apart) at.reading_N[static_cast<Eigen::Index>(i)] = cell.measured_N;
-    }
-    return at;
-  }
-
-  // Effects of one group are compared among all groups (compare_groups).
-  static bool is_of_a_group(const AcceptedTerm& accepted) {
-    const Term* term = term_of(*accepted.effect.cause);
-    return term != nullptr && !term->site.group.empty();
-  }
-
-  // Empty of what is about more than one run.
-  static std::string run_apart(const AcceptedTerm& accepted) {
-    const Term* term = term_of(*accepted.effect.cause);
-    return term == nullptr ? "" : term->site.run;
   }
 
   // No smaller chance than the replicates could tell of a cause.
@@ -348,7 +224,10 @@ class Diagnosis {
   void weigh_by_residuals(std::vector<NamedWithOthers>& named) {
     std::vector<Effect> terms;
     for (const NamedWithOthers& each : named) terms.push_back(each.cause.effect);
-    const ExplainedResiduals by = explained_residuals(sample_, nominal_, result_.model, terms);
+    std::vector<Effect> apart;
+    for (const RunApart& run : result_.apart) apart.push_back(run.effect);
+    const ExplainedResiduals by =
+        explained_residuals(sample_, found_.problem, nominal_, result_.model, terms, apart);
     result_.residual_before_N = by.before_N;
     result_.residual_after_N = by.after_N;
     for (std::size_t i = 0; i < named.size(); ++i) named[i].cause.explained = by.terms[i];
@@ -408,14 +287,15 @@ class Diagnosis {
   // Computes the gains of the named causes on held-out runs.
   void state_gains() {
     const bool is_sealed = !sample_.held_out.cells.empty();
-    if (!is_sealed && folds_.empty()) return;
+    const std::vector<Fold>& folds = confirmation_->folds();
+    if (!is_sealed && folds.empty()) return;
     const Model& after = found_.model;
     const Dataset& part = is_sealed ? sample_.held_out : sample_.training;
     const Problem unseen = problem(part, found_.scatter, after, workers_);
     const Forecast first =
-        is_sealed ? forecast(part, nominal_) : joined(folds_, part, &Fold::nominal);
+        is_sealed ? forecast(part, nominal_) : joined(folds, part, &Fold::nominal);
     const Forecast second =
-        is_sealed ? forecast(part, after) : joined(folds_, part, &Fold::forecast);
+        is_sealed ? forecast(part, after) : joined(folds, part, &Fold::forecast);
     if (!is_sealed) result_.held_out_runs = result_.runs;
     result_.noise_limit = noise_limit(unseen, first);
     result_.run_gains = run_gains(unseen, first, second);
@@ -469,23 +349,8 @@ class Diagnosis {
     const Forecast less =
         is_sealed
             ? forecast(sample_.held_out, fitted_without(found_.problem, found_.model, cause.name))
-            : without_in_folds(cause.name);
+            : confirmation_->without(cause.name);
     return held_out_gain(unseen, less, after, options_.seed + c);
-  }
-
-  static std::vector<std::size_t> readings_of(const Dataset& part) {
-    std::vector<std::size_t> readings;
-    for (const DatasetRow& row : part.rows) readings.push_back(row.reading);
-    return readings;
-  }
-
-  std::vector<std::size_t> readings_beside(const Fold& fold) const {
-    const std::vector<std::size_t> own = readings_of(fold.unseen);
-    std::vector<std::size_t> others;
-    for (const std::size_t i : readings_of(sample_.training)) {
-      if (!std::binary_search(own.begin(), own.end(), i)) others.push_back(i);
-    }
-    return others;
   }
 
   void check_residual_structure() {
@@ -644,8 +509,7 @@ class Diagnosis {
   Model nominal_;
   Explanation found_;
   std::vector<Candidate> candidates_;
-  std::vector<Fold> folds_;
-  std::map<std::string, Forecast> without_in_folds_;  // by the name of a cause
+  std::optional<Confirmation> confirmation_;
   std::vector<Model> alias_models_;  // models of the first causes that cannot be told apart
   DiagnosisResult result_;
 };

@@ -61,7 +61,7 @@ Fit fit(const Problem& problem, const Model& model, Precision precision) {
   };
   const auto residuals_at = [&](const std::vector<double>& at) -> std::optional<Eigen::VectorXd> {
     set(at);
-    const auto there = try_forecast(*problem.dataset, trial);
+    const auto there = try_forecast(problem, trial);
     if (!there) return std::nullopt;
     return residuals(problem, *there);
   };

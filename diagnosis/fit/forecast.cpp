@@ -40,7 +40,8 @@ Hardware hardware_of(const Model& model, const ReadingBlock& block) {
 class BlockForecast {
  public:
   BlockForecast(const Dataset& dataset, const Model& model, const ReadingBlock& block,
-                const Hardware& hardware, Forecast& forecast, RowContacts* contacts)
+                const Hardware& hardware, MotorSlopes slopes, Forecast& forecast,
+                RowContacts* contacts)
       : dataset_(dataset),
         model_(model),
         block_(block),
@@ -50,6 +51,7 @@ class BlockForecast {
         by_row_(reaches(model, Reach::conditions) || reaches(model, Reach::load)),
         by_load_(reaches(model, Reach::load)),
         linear_(reads_linearly(model)),
+        slopes_(slopes),
         forecast_(forecast),
         contacts_(contacts) {
     for (std::size_t c = 0; c < routing_.segments.size(); ++c) {
@@ -74,6 +76,7 @@ class BlockForecast {
       if (row.has_motor_tension) {
         read(row, *state, conditions.motor_tension_N);
         note_contacts(r, conditions.motor_tension_N);
+        if (slopes_ == MotorSlopes::left_out) continue;
         of_row(forecast_.by_scale, row) =
             by_load_ ? slope_by_load(row)
                      : arriving(row) * slope(row, *state, conditions.motor_tension_N);
@@ -215,6 +218,7 @@ class BlockForecast {
   bool by_row_;
   bool by_load_;
   bool linear_;
+  MotorSlopes slopes_;
   std::vector<Sensor> sensors_;        // sensors of the routing's channels
   std::vector<std::size_t> segments_;  // segments in the network, parallel to the sensors
   std::vector<std::size_t> place_;     // index of each channel among the sensors
@@ -224,7 +228,7 @@ class BlockForecast {
 };
 
 std::variant<Forecast, NoForecast> attempt(const Dataset& dataset, const Model& model,
-                                           RowContacts* contacts = nullptr) {
+                                           MotorSlopes slopes, RowContacts* contacts = nullptr) {
   const auto n = static_cast<Eigen::Index>(dataset.cells.size());
   Forecast result{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n),
                   std::vector<bool>(dataset.rows.size(), false)};
@@ -232,7 +236,7 @@ std::variant<Forecast, NoForecast> attempt(const Dataset& dataset, const Model& 
     const std::size_t reading = dataset.rows[block.rows.front()].reading;
     const Hardware hardware = hardware_of(model, block);
     if (const auto found = fault(hardware)) return NoForecast{reading, sentence(*found)};
-    if (!BlockForecast(dataset, model, block, hardware, result, contacts).run()) {
+    if (!BlockForecast(dataset, model, block, hardware, slopes, result, contacts).run()) {
       return NoForecast{reading, "friction is so strong that tensions fall out of range"};
     }
   }
@@ -252,26 +256,27 @@ Hardware with_sheath_angle(Hardware hardware, double angle_rad) {
 
 RowContacts contacts_of_rows(const Dataset& dataset, const Model& model) {
   RowContacts contacts(dataset.rows.size());
-  attempt(dataset, model, &contacts);
+  attempt(dataset, model, MotorSlopes::left_out, &contacts);
   return contacts;
 }
 
-std::optional<Forecast> try_forecast(const Dataset& dataset, const Model& model) {
-  auto result = attempt(dataset, model);
+std::optional<Forecast> try_forecast(const Dataset& dataset, const Model& model,
+                                     MotorSlopes slopes) {
+  auto result = attempt(dataset, model, slopes);
   if (std::holds_alternative<NoForecast>(result)) return std::nullopt;
   return std::get<Forecast>(std::move(result));
 }
 
 std::optional<Eigen::VectorXd> reading_slope(const Dataset& dataset, const Model& less,
                                              const Model& more, double width) {
-  const auto below = try_forecast(dataset, less);
-  const auto above = try_forecast(dataset, more);
+  const auto below = try_forecast(dataset, less, MotorSlopes::left_out);
+  const auto above = try_forecast(dataset, more, MotorSlopes::left_out);
   if (!below || !above) return std::nullopt;
   return (above->reading_N - below->reading_N) / width;
 }
 
 Forecast forecast(const Dataset& dataset, const Model& model) {
-  auto result = attempt(dataset, model);
+  auto result = attempt(dataset, model, MotorSlopes::solved);
   if (const auto* none = std::get_if<NoForecast>(&result)) {
     const Reading& reading = dataset.data->readings[none->reading];
     throw OutOfRange(fmt::format("{}:{}: {}", dataset.data->file, reading.line, none->why));

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -25,9 +26,12 @@ namespace reeve::diagnosis {
 // a finger or a contact.
 Hardware with_sheath_angle(Hardware hardware, double angle_rad);
 
+// Slopes by a recorded motor tension take two further solves where friction depends on the load.
+enum class MotorSlopes : std::uint8_t { solved, left_out };
+
 struct Forecast {
   Eigen::VectorXd reading_N;  // parallel to the cells
-  Eigen::VectorXd by_scale;   // by the motor tension
+  Eigen::VectorXd by_scale;   // by the motor tension; 0 where that is recorded and left out
   std::vector<bool> jams;     // parallel to the rows
 };
 
@@ -38,7 +42,8 @@ using RowContacts = std::vector<std::vector<causes::SolvedContact>>;
 RowContacts contacts_of_rows(const Dataset& dataset, const Model& model);
 
 // Nothing where the model's tensions are out of range, or its hardware is none that there can be.
-std::optional<Forecast> try_forecast(const Dataset& dataset, const Model& model);
+std::optional<Forecast> try_forecast(const Dataset& dataset, const Model& model,
+                                     MotorSlopes slopes = MotorSlopes::solved);
 // Readings by a value that is `width` more in one model than in the other, N per unit of it.
 // Nothing where one of them has no tensions.
 std::optional<Eigen::VectorXd> reading_slope(const Dataset& dataset, const Model& less,

@@ -90,7 +90,7 @@ Eigen::VectorXd MountedDraws::draw(std::uint64_t seed, std::uint32_t stream,
     const MountedExponents exponents(most_contacts_, scatter, z);
     Model mounted = model_;
     add_effect(mounted, {&exponents, {}, {}});
-    const std::optional<Forecast> at = try_forecast(part.dataset, mounted);
+    const std::optional<Forecast> at = try_forecast(part.dataset, mounted, MotorSlopes::left_out);
     const Eigen::VectorXd& reading_N = at ? at->reading_N : part.reading_N;
     for (const DatasetRow& row : part.dataset.rows) {
       const double motor = row.has_motor_tension ? 1 + tau * z.back() : 1;

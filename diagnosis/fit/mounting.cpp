@@ -115,7 +115,7 @@ class Exponents {
   std::optional<VectorXd> moved(std::initializer_list<std::pair<const Cause*, double>> by) const {
     Model model = model_;
     for (const auto& [cause, change] : by) add_effect(model, {cause, {}, {change}});
-    auto there = try_forecast(dataset_, model);
+    auto there = try_forecast(dataset_, model, MotorSlopes::left_out);
     if (!there) return std::nullopt;
     return std::move(there->reading_N);
   }

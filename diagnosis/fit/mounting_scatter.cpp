@@ -149,6 +149,7 @@ MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
   for (const Mounted kind : modes.kind) result.present[static_cast<std::size_t>(kind)] = true;
   const MountedEquations equations = mounted_equations(problem, at, modes);
   result.mounted_again = equations.mounted_again;
+  const auto told = told_by(equations, assumed_scatter);
   std::vector<std::size_t> free;
   for (std::size_t k = 0; k < mounted_kinds; ++k) {
     if (!result.present[k]) continue;
@@ -157,7 +158,7 @@ MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
     result.relative[k] = !given    ? assumed_scatter[k]
                          : is_gain ? of_exponents * assumed_scatter[k] / assumed_scatter[0]
                                    : of_exponents;
-    if (!given) free.push_back(k);
+    if (!given && told[k] >= 1) free.push_back(k);
   }
   const auto at_logarithms = [&](const std::vector<double>& x) {
     MountedScatter scatter = result.relative;
@@ -166,7 +167,7 @@ MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
     }
     return scatter;
   };
-  if (!free.empty() && !equations.kind.empty()) {
+  if (!free.empty()) {
     const std::vector<Interval> box(free.size(), Interval{std::log(least), std::log(most)});
     const Minimum best = refine(
         [&](const std::vector<double>& x) {

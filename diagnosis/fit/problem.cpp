@@ -29,7 +29,7 @@ constexpr double step_share = 1e-4;
 std::optional<Forecast> moved(const Problem& problem, Model model, std::size_t effect,
                               std::size_t parameter, double value) {
   model.effects[effect].values[parameter] = value;
-  return try_forecast(*problem.dataset, model);
+  return try_forecast(problem, model);
 }
 
 // Effect of a change of one row's scale on its cells, in units of the noise and of length 1.
@@ -108,6 +108,12 @@ void take_out_scales(const Problem& problem, const Forecast& at,
     const Eigen::RowVectorXd along = scale.share * (scale.axis.transpose() * rows);
     rows.noalias() -= scale.axis * along;
   });
+}
+
+std::optional<Forecast> try_forecast(const Problem& problem, const Model& model) {
+  return try_forecast(
+      *problem.dataset, model,
+      problem.motor_deviation_N.size() > 0 ? MotorSlopes::solved : MotorSlopes::left_out);
 }
 
 Eigen::VectorXd expected_readings(const Problem& problem, const Forecast& forecast) {
@@ -249,7 +255,7 @@ Eigen::VectorXd total_deviations(const Problem& problem) {
 }
 
 double misfit(const Problem& problem, const Model& model) {
-  const std::optional<Forecast> at = try_forecast(*problem.dataset, model);
+  const std::optional<Forecast> at = try_forecast(problem, model);
   return at ? residuals(problem, *at).squaredNorm() : std::numeric_limits<double>::infinity();
 }
 

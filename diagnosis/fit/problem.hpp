@@ -24,6 +24,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 #include "causes/model.hpp"
@@ -62,6 +63,9 @@ void share_scatter(Problem& problem, const MountingModes& modes, const MountedSc
 
 // The same problem of some of its mountings: of each, `dataset` has all readings or none.
 Problem part_of(const Problem& whole, const Dataset& dataset);
+
+// The forecasts with what the problem's residuals depend on: slopes where motor tensions scatter.
+std::optional<Forecast> try_forecast(const Problem& problem, const Model& model);
 
 // m of each cell, N.
 Eigen::VectorXd expected_readings(const Problem& problem, const Forecast& forecast);

@@ -17,14 +17,17 @@ SharedScatter shared_scatter(std::vector<Index> cells, MatrixXd loadings, const 
   // out.
   constexpr double least = 1e-6;
   SharedScatter result{std::move(cells), {}, {}, std::move(loadings)};
-  const SymmetricAxes across = symmetric_axes(seen.transpose() * seen);
+  // Few readings of many things are decomposed by the readings.
+  const bool by_cells = seen.rows() < seen.cols();
+  const SymmetricAxes across = symmetric_axes(by_cells ? MatrixXd(seen * seen.transpose())
+                                                       : MatrixXd(seen.transpose() * seen));
   const VectorXd& squares = across.values;  // S², ascending
   const Index all = squares.size();
   Index used = 0;
   while (used < all && squares[all - 1 - used] > least) ++used;
   const VectorXd kept = squares.tail(used);
-  result.axes =
-      seen * across.vectors.rightCols(used) * kept.cwiseSqrt().cwiseInverse().asDiagonal();
+  result.axes = across.vectors.rightCols(used);
+  if (!by_cells) result.axes = seen * result.axes * kept.cwiseSqrt().cwiseInverse().asDiagonal();
   result.shrunk = 1 - (1 + kept.array()).rsqrt();
   return result;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/forecast.hpp"
@@ -16,7 +18,7 @@ double mean_square(const Sample& sample, const Model& model) {
   double count = 0;
   for (const Dataset* part : {&sample.training, &sample.held_out}) {
     if (part->cells.empty()) continue;
-    const auto at = try_forecast(*part, model);
+    const auto at = try_forecast(*part, model, MotorSlopes::left_out);
     if (!at) return std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < part->cells.size(); ++i) {
       sum += std::pow(part->cells[i].measured_N - at->reading_N[static_cast<Eigen::Index>(i)], 2);
@@ -32,36 +34,45 @@ Explained explained_by(double before, double after, double of) {
   return {std::copysign(std::sqrt(std::abs(fall)), fall), fall / of};
 }
 
+// N² that a model of these terms leaves once it is fitted.
+double fitted_mean_square(const Sample& sample, const Problem& problem, Model model,
+                          const std::vector<Effect>& apart) {
+  for (const Effect& effect : apart) add_effect(model, effect);
+  model = fit(problem, model, Precision::to_compare).model;
+  for (const Effect& effect : apart) model = without(model, place(model, effect));
+  return mean_square(sample, model);
+}
+
 }  // namespace
 
-ExplainedResiduals explained_residuals(const Sample& sample, const Model& nominal,
-                                       const Model& extended, const std::vector<Effect>& terms) {
+ExplainedResiduals explained_residuals(const Sample& sample, const Problem& problem,
+                                       const Model& nominal, const Model& extended,
+                                       const std::vector<Effect>& terms,
+                                       const std::vector<Effect>& apart) {
   const double first = mean_square(sample, nominal);
-  ExplainedResiduals result{std::sqrt(first), std::sqrt(mean_square(sample, extended)), {}};
+  const double last = mean_square(sample, extended);
+  ExplainedResiduals result{std::sqrt(first), std::sqrt(last), {}};
   result.terms.resize(terms.size());
-  Model model = extended;
-  std::vector<Effect> own;
-  std::vector<std::size_t> left;
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    own.push_back(extended.effects[place(extended, terms[i])]);
-    model = without(model, place(model, terms[i]));
-    left.push_back(i);
-  }
-  double now = mean_square(sample, model);
+  Model model = nominal;
+  std::vector<std::size_t> left(terms.size());
+  std::iota(left.begin(), left.end(), std::size_t{0});
+  double now = first;
   while (!left.empty()) {
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();
+    Model chosen;
     for (std::size_t k = 0; k < left.size(); ++k) {
       Model with = model;
-      add_effect(with, own[left[k]]);
-      const double after = mean_square(sample, with);
-      if (after < least) {
-        least = after;
-        best = k;
-      }
+      add_effect(with, extended.effects[place(extended, terms[left[k]])]);
+      const double after =
+          left.size() == 1 ? last : fitted_mean_square(sample, problem, with, apart);
+      if (k > 0 && !(after < least)) continue;
+      least = after;
+      best = k;
+      chosen = std::move(with);
     }
     result.terms[left[best]] = explained_by(now, least, first);
-    add_effect(model, own[left[best]]);
+    model = std::move(chosen);
     now = least;
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
   }

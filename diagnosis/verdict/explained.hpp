@@ -1,16 +1,18 @@
 // How much of the residuals each named term explains.
 //
-// The terms are added one after the other, at their sizes in the extended model, to the model
-// without any of them: always the one next that leaves the least mean square m of the residuals in
-// newton. A term that takes m_{k−1} to m_k explains √(m_{k−1} − m_k) newton, and the share
-// (m_{k−1} − m_k) / m of the nominal model's m: shares add up, and do not depend on the order in
-// which terms were found.
+// The terms are added one after the other to the nominal model, and those that it has are fitted
+// anew each time: always the one next that leaves the least mean square m of the residuals in
+// newton. At their sizes in the extended model, terms that work against each other would each leave
+// more than there was. A term that takes m_{k−1} to m_k explains √(m_{k−1} − m_k) newton, and the
+// share (m_{k−1} − m_k) / m of the nominal model's m. The last leaves what the extended model does:
+// shares add up, and do not depend on the order in which terms were found.
 #pragma once
 
 #include <vector>
 
 #include "causes/model.hpp"
 #include "diagnosis/chosen_readings.hpp"
+#include "diagnosis/fit/problem.hpp"
 
 namespace reeve::diagnosis {
 
@@ -25,8 +27,12 @@ struct ExplainedResiduals {
   std::vector<Explained> terms;  // parallel to those that were asked for
 };
 
-// Terms that the extended model has, whatever else it has. Training and held-out runs together.
-ExplainedResiduals explained_residuals(const Sample& sample, const Model& nominal,
-                                       const Model& extended, const std::vector<Effect>& terms);
+// Terms that the extended model has, whatever else it has. Training and held-out runs together. The
+// problem is that of the training runs; what runs do that stand `apart` is fitted beside the terms,
+// and left in the residuals.
+ExplainedResiduals explained_residuals(const Sample& sample, const Problem& problem,
+                                       const Model& nominal, const Model& extended,
+                                       const std::vector<Effect>& terms,
+                                       const std::vector<Effect>& apart = {});
 
 }  // namespace reeve::diagnosis

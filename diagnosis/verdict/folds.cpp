@@ -13,6 +13,12 @@ using Eigen::Index;
 
 }  // namespace
 
+std::vector<std::size_t> readings_in(const Dataset& part) {
+  std::vector<std::size_t> readings;
+  for (const DatasetRow& row : part.rows) readings.push_back(row.reading);
+  return readings;
+}
+
 std::vector<std::size_t> dealt_runs(const MeasuredData& data,
                                     const std::vector<std::size_t>& readings, std::size_t folds) {
   std::vector<std::size_t> fold(data.runs.size(), folds);
@@ -63,15 +69,17 @@ std::optional<std::vector<Fold>> cross_validated(const MeasuredData& data,
   return result;
 }
 
+bool stands_for(const Effect& found, const AcceptedTerm& cause) {
+  const std::string name = effect_name(found);
+  return name == effect_name(cause.effect) || is_kin(found, cause.effect) ||
+         std::any_of(cause.alternatives.begin(), cause.alternatives.end(),
+                     [&](const Alternative& other) { return other.name == name; });
+}
+
 double share_of_folds(const std::vector<Fold>& folds, const AcceptedTerm& cause,
                       std::size_t place) {
   if (folds.empty()) return 1;
-  const auto is_it = [&](const AcceptedTerm& found) {
-    const std::string name = effect_name(found.effect);
-    return name == effect_name(cause.effect) || is_kin(found.effect, cause.effect) ||
-           std::any_of(cause.alternatives.begin(), cause.alternatives.end(),
-                       [&](const Alternative& other) { return other.name == name; });
-  };
+  const auto is_it = [&](const AcceptedTerm& found) { return stands_for(found.effect, cause); };
   const auto finds = [&](const Fold& fold) {
     return fold.found.holds[place] ||
            std::any_of(fold.found.accepted.begin(), fold.found.accepted.end(), is_it);

@@ -28,6 +28,9 @@ struct Fold {
   Forecast forecast;
 };
 
+// Returns the readings of these rows, ascending.
+std::vector<std::size_t> readings_in(const Dataset& part);
+
 // Returns for each run of the data the fold that it is in. Only runs of these readings are dealt.
 std::vector<std::size_t> dealt_runs(const MeasuredData& data,
                                     const std::vector<std::size_t>& readings, std::size_t folds);
@@ -38,6 +41,9 @@ std::optional<std::vector<Fold>> cross_validated(const MeasuredData& data,
                                                  const Model& nominal, const TermSearch& search,
                                                  Workers& workers,
                                                  const std::function<bool()>& stop);
+
+// True if a fold's own term is this cause, another form of its law, or one of its alternatives.
+bool stands_for(const Effect& found, const AcceptedTerm& cause);
 
 // The share of the folds in which the cause that was accepted in this place holds: they find it or
 // one of its alternatives, or it is as evident there as what they find.

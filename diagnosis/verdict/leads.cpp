@@ -1,8 +1,10 @@
 #include "diagnosis/verdict/leads.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "diagnosis/fit/evidence.hpp"
 #include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/null_model.hpp"
 #include "diagnosis/search/law_screening.hpp"
@@ -10,10 +12,13 @@
 namespace reeve::diagnosis {
 namespace {
 
+constexpr std::size_t most_screened = 4 * most_leads;
+constexpr double nearly_alike = 0.9;  // cosine
+
 Lead lead(const Sample& sample, const Problem& problem, const Model& model, const ScreenedLaw& law,
           const Scatter& scatter, Workers& workers) {
   const Effect screened = causes::with_crossing_held(law.effect);
-  Lead result{screened, law.evidence, std::nullopt};
+  Lead result{screened, law.evidence, std::nullopt, {}};
   const Fit fitted = fit(problem, extended(model, screened).model, Precision::to_compare);
   if (!has_tensions(fitted)) return result;
   const std::size_t at = place(fitted.model, screened);
@@ -40,9 +45,23 @@ std::vector<Lead> leads(const Sample& sample, const Problem& problem, const Mode
   const Projection projection(problem, model, at);
   const LawScreening screening(training, model, at, workers);
   std::vector<Lead> result;
+  std::vector<Eigen::VectorXd> changes;  // parallel, of length 1
   for (const ScreenedLaw& law : screening.best(
-           problem, at, projection, projection.taken_out(residuals(problem, at)), most_leads)) {
-    result.push_back(lead(sample, problem, model, law, scatter, workers));
+           problem, at, projection, projection.taken_out(residuals(problem, at)), most_screened)) {
+    if (law.evidence < least_evidence) continue;
+    const Effect screened = causes::with_crossing_held(law.effect);
+    const auto there = try_forecast(training, extended(model, screened).model);
+    if (!there) continue;
+    Eigen::VectorXd change = projection.taken_out(difference(problem, at, *there)).normalized();
+    const auto same = std::find_if(changes.begin(), changes.end(), [&](const auto& other) {
+      return std::abs(other.dot(change)) > nearly_alike;
+    });
+    if (same != changes.end()) {
+      result[static_cast<std::size_t>(same - changes.begin())].alike.push_back(screened);
+    } else if (result.size() < most_leads) {
+      result.push_back(lead(sample, problem, model, law, scatter, workers));
+      changes.push_back(std::move(change));
+    }
   }
   std::stable_partition(result.begin(), result.end(),
                         [](const Lead& lead) { return is_of_one_place(lead.effect); });

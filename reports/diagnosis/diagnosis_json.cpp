@@ -190,6 +190,7 @@ void add_findings(Json& json, const DiagnosisReport& report) {
     Json fields{{"name", effect_name(lead.effect)}, {"evidence", number(lead.evidence)}};
     fields.update(law_json(term));
     fields["formula"] = formula(term, lead.effect.values);
+    fields["alike"] = list_json(lead.alike, effect_name);
     fields["partial_residuals"] = partial_or_null(lead.partial, report.data);
     return fields;
   });

@@ -151,7 +151,13 @@ double structure_N(const DiagnosisReport& report, const StructureFinding& findin
 }
 
 std::string lead_text(const Lead& lead) {
-  return fmt::format("{} ({} nats)", lead.effect.cause->meaning(), gain_number(lead.evidence));
+  constexpr std::size_t most_named = 2;
+  std::string text =
+      fmt::format("{} ({} nats", lead.effect.cause->meaning(), gain_number(lead.evidence));
+  for (std::size_t i = 0; i < std::min(lead.alike.size(), most_named); ++i) {
+    text += (i == 0 ? "; alike " : " or ") + std::string(lead.alike[i].cause->meaning());
+  }
+  return text + ")";
 }
 
 std::string leads_sentence(const DiagnosisReport& report) {
@@ -171,7 +177,7 @@ std::string gain_text(const HeldOut& held_out, std::size_t runs) {
                   percent_text(rises ? -held_out.low : held_out.high),
                   newton(held_out.rms_before_N), newton(held_out.rms_after_N));
   // In newton the greatest readings count most, and with them how far their mounting is off.
-  if (rises && held_out.gain_low > 0) {
+  if (held_out.low <= 0 && held_out.gain_low > 0) {
     text += fmt::format(
         "; but weighed by what noise and mountings do to each, the readings are likelier by {} ({} "
         "to {}) in log-likelihood",

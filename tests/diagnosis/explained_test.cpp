@@ -29,7 +29,7 @@ TEST(ExplainedResiduals, AreTheRootOfWhatEachTermTakesOffTheMeanSquare) {
   const Bench bench({3, 0.3}, {5, 6, 1, 0});
   const std::vector<Effect> terms{of_size(on_T2, 0.3), of_size(on_T1, 3)};
   const ExplainedResiduals by =
-      explained_residuals(all_in_training(bench), Model{}, with(terms), terms);
+      explained_residuals(all_in_training(bench), bench.problem, Model{}, with(terms), terms);
   const double all = (9 + 0.09) / 4;
   EXPECT_NEAR(by.before_N, std::sqrt(all), 1e-6);
   EXPECT_NEAR(by.after_N, 0, 1e-6);
@@ -47,20 +47,55 @@ TEST(ExplainedResiduals, OfTermsThatOverlapAddUp) {
   const std::vector<Effect> one{of_size(on_T1, 2), of_size(nearly_on_T1, 1)};
   const std::vector<Effect> other{one[1], one[0]};
   const Sample part = all_in_training(bench);
-  const ExplainedResiduals by = explained_residuals(part, Model{}, with(one), one);
-  const ExplainedResiduals again = explained_residuals(part, Model{}, with(one), other);
+  const ExplainedResiduals by = explained_residuals(part, bench.problem, Model{}, with(one), one);
+  const ExplainedResiduals again =
+      explained_residuals(part, bench.problem, Model{}, with(one), other);
   EXPECT_EQ(by.terms[0].share, again.terms[1].share);
   EXPECT_EQ(by.terms[1].share, again.terms[0].share);
   const double left = std::pow(by.after_N / by.before_N, 2);
   EXPECT_NEAR(by.terms[0].share + by.terms[1].share, 1 - left, 1e-9);
-  EXPECT_NEAR(by.terms[0].share, (9 - 1) / 9.0, 1e-6);
+  EXPECT_NEAR(by.terms[0].share, 1, 1e-6);
+}
+
+// 3 N on T1 and 0.3 N on T2, explained by 12 N of a pattern on T1 and a tenth of it on T2, less 9 N
+// of another on T1 alone: at these sizes each by itself would leave more than there is.
+TEST(ExplainedResiduals, OfTermsThatWorkAgainstEachOtherAreNoMoreThanThereIs) {
+  const Bench bench({3, 0.3}, {5, 6, 1, 0});
+  const PatternCause both("both", {1, 0.025});
+  const std::vector<Effect> terms{of_size(both, 12), of_size(on_T1, -9)};
+  const ExplainedResiduals by =
+      explained_residuals(all_in_training(bench), bench.problem, Model{}, with(terms), terms);
+  EXPECT_NEAR(by.after_N, 0, 1e-6);
+  const double all = 9 + 0.09;
+  const double along = (3 + 0.3 * 0.025) * (3 + 0.3 * 0.025) / (1 + 0.025 * 0.025);
+  EXPECT_NEAR(by.terms[0].share, along / all, 1e-4);
+  EXPECT_NEAR(by.terms[1].share, 1 - along / all, 1e-4);
+}
+
+// What a run does that stands apart is in all residuals, and draws no term towards it.
+TEST(ExplainedResiduals, BesideARunApartAreThoseOfTheOthers) {
+  const Bench bench({8, 6, 3, 0}, [](std::size_t run) {
+    return run == 5 ? Pattern{3, 0.3, 0, 4} : Pattern{3, 0.3};
+  });
+  Term apart;
+  apart.target = Target::offset;
+  apart.site.place = SitePlace::channel;
+  apart.site.channel = {SegmentKind::strand, 4};
+  apart.site.run = "r5";
+  const std::vector<Effect> terms{of_size(on_T1, 3), of_size(on_T2, 0.3)};
+  const ExplainedResiduals by =
+      explained_residuals(all_in_training(bench), bench.problem, Model{}, with(terms), terms,
+                          {{&causes::law(apart), {}, {4}}});
+  EXPECT_NEAR(by.after_N, std::sqrt(16 / 4.0 / 8), 1e-6);
+  EXPECT_NEAR(by.terms[0].rms_N, std::sqrt(9 / 4.0), 1e-6);
+  EXPECT_NEAR(by.terms[1].rms_N, std::sqrt(0.09 / 4), 1e-6);
 }
 
 TEST(ExplainedResiduals, OfATermThatMakesThemWorseAreBelowZero) {
   const Bench bench({3}, {5, 6, 1, 0});
   const std::vector<Effect> terms{of_size(on_T1, 3), of_size(on_T3, 1)};
   const ExplainedResiduals by =
-      explained_residuals(all_in_training(bench), Model{}, with(terms), terms);
+      explained_residuals(all_in_training(bench), bench.problem, Model{}, with(terms), terms);
   EXPECT_NEAR(by.terms[1].rms_N, -0.5, 1e-6);
   EXPECT_LT(by.terms[1].share, 0);
 }

@@ -5,6 +5,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
+#include "diagnosis/fit/evidence.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
 
 namespace reeve::testing {
@@ -44,10 +48,27 @@ TEST(Leads, NameTheRunThatStandsApartFirst) {
 TEST(Leads, OfNoiseAloneAreNone) {
   const Bench bench(Pattern{}, BenchPlan{8, 6, 3, bench_noise_N});
   Workers workers(1);
-  for (const Lead& lead :
-       leads(all_in_training(bench.dataset), bench.problem, Model{}, bench_scatter(), workers)) {
-    EXPECT_LT(lead.evidence, 3) << lead.effect.cause->meaning();
+  EXPECT_TRUE(
+      leads(all_in_training(bench.dataset), bench.problem, Model{}, bench_scatter(), workers)
+          .empty());
+}
+
+// At one load a gain of T1 is an offset of T1.
+TEST(Leads, ThatChangeReadingsAlikeAreOne) {
+  const Bench bench(Pattern{0.5}, BenchPlan{8, 6, 3, bench_noise_N});
+  Workers workers(1);
+  const std::vector<Lead> found =
+      leads(all_in_training(bench.dataset), bench.problem, Model{}, bench_scatter(), workers);
+  ASSERT_FALSE(found.empty());
+  std::set<std::string> names;
+  for (const Lead& lead : found) {
+    EXPECT_GE(lead.evidence, least_evidence);
+    EXPECT_TRUE(names.insert(effect_name(lead.effect)).second);
+    for (const Effect& alike : lead.alike) {
+      EXPECT_TRUE(names.insert(effect_name(alike)).second) << effect_name(alike);
+    }
   }
+  EXPECT_FALSE(found.front().alike.empty());
 }
 
 TEST(Leads, OfOnePlaceAreThoseOfARunASensorOrAContact) {

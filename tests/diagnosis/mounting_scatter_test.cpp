@@ -113,13 +113,41 @@ TEST(MountingScatter, IsTheLikeliest) {
   ASSERT_GT(rig.equations.shared.squaredNorm(), 0);
   const MountingScatter found = mounting_scatter(rig.readings, rig.at, rig.modes, std::nullopt);
   const double least = rig.surprise(found, found.relative);
+  EXPECT_NE(found.relative[0], assumed_scatter[0]);
+  EXPECT_NE(found.relative[1], assumed_scatter[1]);
   for (std::size_t k = 0; k < mounted_kinds; ++k) {
-    if (!found.present[k]) continue;
+    if (!found.present[k] || found.relative[k] == assumed_scatter[k]) continue;
     for (const double times : {0.8, 0.95, 1.05, 1.25}) {
       MountedScatter other = found.relative;
       other[k] *= times;
       EXPECT_GT(rig.surprise(found, other), least - 1e-4) << k << " times " << times;
     }
+  }
+}
+
+// A bench each of whose runs has a grasp of its own says nothing of how mountings differ: whatever
+// separates the runs may be the grasps.
+TEST(MountingScatter, ThatNoDifferenceTellsIsTheAssumedOne) {
+  std::string text = "run,routing,held,motor_tension_N,T1_N,T2_N,T3_N,T4_N\n";
+  const char* const grasps[] = {"", "1", "2"};
+  for (int run = 0; run < 3; ++run) {
+    for (int i = 0; i < 6; ++i) {
+      const double load = 10 + 4 * i;
+      text += fmt::format("{},M-1-T-2-F,{},{},{},{},{},{}\n", run, grasps[run], load, 0.32 * load,
+                          0.18 * load, 0.1 * load, 0.06 * load);
+    }
+  }
+  const MeasuredData data = read_data(text);
+  const Dataset all = dataset(data, all_readings(data));
+  Workers workers(1);
+  const Forecast at = forecast(all, Model{});
+  const Problem readings = problem(all, 0.02 * at.reading_N);
+  const MountingScatter found =
+      mounting_scatter(readings, at, mounting_modes(all, Model{}, workers), std::nullopt);
+  EXPECT_EQ(found.mounted_again, 2U);
+  for (const Mounted kind : {Mounted::sheath, Mounted::tube, Mounted::gain}) {
+    const auto k = static_cast<std::size_t>(kind);
+    EXPECT_EQ(found.relative[k], assumed_scatter[k]) << mounted_name(kind);
   }
 }
 

@@ -1,0 +1,165 @@
+#include "diagnosis/verdict/confirmation.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "causes/term.hpp"
+
+namespace reeve::diagnosis {
+namespace {
+
+bool is_of_a_group(const AcceptedTerm& accepted) {
+  const Term* term = term_of(*accepted.effect.cause);
+  return term != nullptr && !term->site.group.empty();
+}
+
+std::vector<std::size_t> readings_beside(const Dataset& all, const Fold& fold) {
+  const std::vector<std::size_t> own = readings_in(fold.unseen);
+  std::vector<std::size_t> others;
+  for (const std::size_t i : readings_in(all)) {
+    if (!std::binary_search(own.begin(), own.end(), i)) others.push_back(i);
+  }
+  return others;
+}
+
+}  // namespace
+
+std::string run_apart(const AcceptedTerm& accepted) {
+  const Term* term = term_of(*accepted.effect.cause);
+  return term == nullptr ? "" : term->site.run;
+}
+
+Model fitted_without(const Problem& seen, Model model, const std::string& name) {
+  std::erase_if(model.effects, [&](const Effect& effect) { return effect_name(effect) == name; });
+  return fit(seen, model).model;
+}
+
+Confirmation::Confirmation(const Dataset& training, const Model& nominal, TermSearchOptions options,
+                           std::vector<Fold> folds, Explanation& found, Workers& workers)
+    : training_(training),
+      nominal_(nominal),
+      options_(std::move(options)),
+      folds_(std::move(folds)),
+      found_(found),
+      workers_(workers) {}
+
+std::vector<std::string> Confirmation::remove_the_others() {
+  constexpr double most = 0.5;
+  for (std::size_t c = 0; c < found_.accepted.size() && !folds_.empty(); ++c) {
+    found_.accepted[c].folds = share_of_folds(folds_, found_.accepted[c], c);
+  }
+  for (std::size_t c = found_.accepted.size(); c-- > 0;) {
+    const AcceptedTerm& accepted = found_.accepted[c];
+    if (is_of_a_group(accepted)) {
+      found_ = without_term(training_, found_, c, options_, workers_);
+      continue;
+    }
+    if (accepted.folds.value_or(1) <= most || stands_at_an_end(accepted)) drop(c);
+  }
+  if (folds_.empty()) return not_confirmed_;
+  for (std::size_t c = found_.accepted.size(); c-- > 0;) {
+    if (!run_apart(found_.accepted[c]).empty()) continue;
+    const Forecast less = without(effect_name(found_.accepted[c].effect));
+    if (is_worse_on_unseen_runs(less, less)) drop(c);
+  }
+  const bool forecasts = std::any_of(found_.accepted.begin(), found_.accepted.end(),
+                                     [](const AcceptedTerm& of) { return run_apart(of).empty(); });
+  if (!forecasts) return not_confirmed_;
+  const Forecast nominal = joined(folds_, training_, &Fold::nominal);
+  const Forecast base = joined(folds_, training_, &Fold::base);
+  if (!is_worse_on_unseen_runs(base, nominal)) return not_confirmed_;
+  while (!found_.accepted.empty()) drop(found_.accepted.size() - 1);
+  return not_confirmed_;
+}
+
+void Confirmation::drop(std::size_t cause) {
+  not_confirmed_.insert(not_confirmed_.begin(), effect_name(found_.accepted[cause].effect));
+  found_ = without_term(training_, found_, cause, options_, workers_);
+}
+
+// A size at an end of its range may be another one in truth, and the cause another with it.
+bool Confirmation::stands_at_an_end(const AcceptedTerm& accepted) const {
+  constexpr double near = 1e-3;  // share of the range
+  // A law's form that bends as far as it may looks like another form of it.
+  if (term_of(*accepted.effect.cause) != nullptr) return false;
+  const Effect& effect = found_.model.effects[place(found_.model, accepted.effect)];
+  const auto parameters =
+      searched_parameters(*effect.cause, nominal_.hardware, force_scale(*training_.data));
+  if (parameters.empty() || parameters.front().ends_by_nature) return false;
+  const Range range = parameters.front().range;
+  const double margin = near * (range.high - range.low);
+  const double size = effect.values.front();
+  return size <= range.low + margin || size >= range.high - margin;
+}
+
+// The models of the folds: in likelihood than `likely`, or in newtons than `near`.
+bool Confirmation::is_worse_on_unseen_runs(const Forecast& likely, const Forecast& near) const {
+  // About 0 they say nothing: what they know of a cause may all stand in one run.
+  constexpr double refuted = -2;
+  constexpr double same_N = 1.02;
+  const Forecast after = beside_runs_apart(joined(folds_, training_, &Fold::forecast));
+  const auto misfit_of = [&](const Forecast& at) {
+    return robust_misfit(residuals(found_.problem, at));
+  };
+  const auto newtons_of = [&](const Forecast& at) {
+    return own_residuals(found_.problem, at).cwiseProduct(found_.problem.deviation_N).norm();
+  };
+  return (misfit_of(beside_runs_apart(likely)) - misfit_of(after)) / 2 < refuted ||
+         newtons_of(after) > same_N * newtons_of(beside_runs_apart(near));
+}
+
+const Forecast& Confirmation::without(const std::string& name) {
+  const auto known = without_.find(name);
+  if (known != without_.end()) return known->second;
+  std::vector<Fold> folds;
+  for (const Fold& fold : folds_) {
+    Fold own{fold.unseen, {}, {}, {}, fold.forecast};
+    const std::string its = its_name_in(fold.found.model, name);
+    if (!its.empty()) {
+      const Dataset training = dataset(*training_.data, readings_beside(training_, fold));
+      const Problem seen = problem(training, fold.found.scatter, fold.found.model, workers_);
+      own.forecast = try_forecast(fold.unseen, fitted_without(seen, fold.found.model, its))
+                         .value_or(fold.nominal);
+    }
+    folds.push_back(std::move(own));
+  }
+  return without_.emplace(name, joined(folds, training_, &Fold::forecast)).first->second;
+}
+
+// Empty if the model has neither a cause of this name nor one that stands for it and is no other
+// accepted one.
+std::string Confirmation::its_name_in(const Model& model, const std::string& name) const {
+  const AcceptedTerm* accepted = find_accepted(name);
+  std::string stand_in;
+  for (const Effect& effect : model.effects) {
+    const std::string own = effect_name(effect);
+    if (own == name) return own;
+    if (stand_in.empty() && accepted != nullptr && stands_for(effect, *accepted) &&
+        find_accepted(own) == nullptr) {
+      stand_in = own;
+    }
+  }
+  return stand_in;
+}
+
+const AcceptedTerm* Confirmation::find_accepted(const std::string& name) const {
+  for (const AcceptedTerm& accepted : found_.accepted) {
+    if (effect_name(accepted.effect) == name) return &accepted;
+  }
+  return nullptr;
+}
+
+// Readings of runs that follow a law of their own are no model's to forecast.
+Forecast Confirmation::beside_runs_apart(Forecast at) const {
+  const MeasuredData& data = *training_.data;
+  for (std::size_t i = 0; i < training_.cells.size(); ++i) {
+    const Cell& cell = training_.cells[i];
+    const std::string& run = data.runs[data.readings[cell.reading].run];
+    const bool is_apart = std::any_of(found_.accepted.begin(), found_.accepted.end(),
+                                      [&](const AcceptedTerm& of) { return run_apart(of) == run; });
+    if (is_apart) at.reading_N[static_cast<Eigen::Index>(i)] = cell.measured_N;
+  }
+  return at;
+}
+
+}  // namespace reeve::diagnosis
