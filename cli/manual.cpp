@@ -94,7 +94,7 @@ Copyright 2026 the reeve authors. MIT licence; there is no warranty.
 std::string option_line(const OptionText& option) {
   std::string head = option.positional ? option.name : "--" + option.name;
   if (!option.short_name.empty()) head = fmt::format("-{}, {}", option.short_name, head);
-  if (!option.positional && option.kind != "flag") head += ' ' + value_name(option);
+  if (!option.positional && option.kind != "flag") head += '=' + value_name(option);
   const std::string preset = option.preset.empty() ? "" : fmt::format(" ({})", option.preset);
   return fmt::format("{:<24}  {}{}\n", head, option.meaning, preset);
 }
@@ -163,11 +163,8 @@ std::string man_page(const std::vector<SubcommandText>& subcommands, const std::
 std::string options_document(const std::vector<SubcommandText>& subcommands) {
   std::string text =
       "# Options\n\n*`reeve_write_manual --options` writes this page from the program's table of "
-      "options. Defaults are in brackets.*\n\n```text\n";
-  for (const SubcommandText& subcommand : subcommands) {
-    text += fmt::format("{:<9}  {}\n", subcommand.name, subcommand.meaning);
-  }
-  text += "```\n" + option_sections(subcommands) + "\n## Environment\n\n```text\n";
+      "options. Defaults are in brackets. `reeve --help` lists the subcommands.*\n" +
+      option_sections(subcommands) + "\n## Environment\n\n```text\n";
   for (const Variable& one : environment) {
     text += fmt::format("{:<13}  {}\n", one.name, one.meaning);
   }

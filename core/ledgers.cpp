@@ -41,8 +41,11 @@ void FingerLedger::pass(const PlacedWalk& walk) {
     if (std::exchange(passed_[placed.token.finger], true)) {
       word_.fail(
           placed.at,
-          {.what = fmt::format("finger {} is passed twice; a finger has two strands and one tendon",
-                               placed.token.finger)});
+          {.what = fmt::format("finger {} is passed twice: it has two strands and one tendon",
+                               placed.token.finger),
+           .expected = "another finger for a second flexor, which grasps hold with it, and another "
+                       "routing for an extensor",
+           .form = InputForm::unknown});
     }
     highest_ = std::max<int>(highest_, placed.token.finger);
   }

