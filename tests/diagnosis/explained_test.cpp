@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "diagnosis/verdict/folds.hpp"
 #include "tests/diagnosis/pattern_bench.hpp"
 
 namespace reeve::testing {
@@ -98,6 +99,16 @@ TEST(ExplainedResiduals, OfATermThatMakesThemWorseAreBelowZero) {
       explained_residuals(all_in_training(bench), bench.problem, Model{}, with(terms), terms);
   EXPECT_NEAR(by.terms[1].rms_N, -0.5, 1e-6);
   EXPECT_LT(by.terms[1].share, 0);
+}
+
+// What a fold has found in the place of a cause is taken out with it.
+TEST(StandIns, OfACauseAreItsAlternatives) {
+  AcceptedTerm accepted;
+  accepted.effect = of_size(on_T1, 3);
+  accepted.alternatives.push_back({"nearly_on_T1", with({of_size(nearly_on_T1, 3)}), 0.1});
+  EXPECT_TRUE(diagnosis::stands_for(of_size(on_T1, 2), accepted));
+  EXPECT_TRUE(diagnosis::stands_for(of_size(nearly_on_T1, 1), accepted));
+  EXPECT_FALSE(diagnosis::stands_for(of_size(on_T2, 1), accepted));
 }
 
 }  // namespace
