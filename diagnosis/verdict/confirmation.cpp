@@ -132,11 +132,11 @@ std::string Confirmation::its_name_in(const Model& model, const std::string& nam
   const AcceptedTerm* accepted = find_accepted(name);
   std::string stand_in;
   for (const Effect& effect : model.effects) {
-    const std::string own = effect_name(effect);
+    std::string own = effect_name(effect);
     if (own == name) return own;
     if (stand_in.empty() && accepted != nullptr && stands_for(effect, *accepted) &&
         find_accepted(own) == nullptr) {
-      stand_in = own;
+      stand_in = std::move(own);
     }
   }
   return stand_in;
