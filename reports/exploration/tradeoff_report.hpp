@@ -15,7 +15,7 @@ namespace reeve::reports {
 ListedTradeoff shortest_tradeoff(const ListedDesign& line, const Order& order,
                                  const TradeoffOptions& options);
 
-// Nothing of fewer than two steps.
+// There are no lines of fewer than two steps.
 Section tradeoff_section(const ListedTradeoff& tradeoff);
 
 // RFC 4180; a note becomes a comment line at the top.

@@ -117,7 +117,7 @@ TEST(Grasp, ReadsTheTravelsOfCarriagesThatItWrites) {
   EXPECT_EQ(to_text(parse_grasps("none@1,-1:2/1", 2, 2)), "none@1,-1:2/1");
 }
 
-// Of M-1-P-2-M+3x-M: the sides b and c of the pulley move as one.
+// In M-1-P-2-M+3x-M the sides b and c of the pulley move as one.
 const MotorEnds ends{1, 0b110, 0b110, 8, 16};
 
 TEST(Grasp, ReadsTheLockedEndsThatItWrites) {

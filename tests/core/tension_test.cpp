@@ -323,7 +323,7 @@ TEST(LockedEnds, AreFixedEndsWhoseTensionNoMotorGives) {
   }
   EXPECT_DOUBLE_EQ(solved["b"], 1);
   EXPECT_DOUBLE_EQ(solved["T1"], s * t * t * t);
-  // Nothing slides at its sheath, at the far end of which the segment is as long as T1.
+  // Its sheath has no slip: at the far end of it the segment is as long as T1.
   EXPECT_EQ(solved.state().slip[0], 0);
   EXPECT_GT(solved["a"], 0);
   EXPECT_EQ(solved.state().closing, (std::vector<double>{0.25, 0.25}));

@@ -73,7 +73,7 @@ TEST(ExplainedResiduals, OfTermsThatWorkAgainstEachOtherAreNoMoreThanThereIs) {
   EXPECT_NEAR(by.terms[1].share, 1 - along / all, 1e-4);
 }
 
-// What a run does that stands apart is in all residuals, and draws no term towards it.
+// The effect of a run that stands apart is in all residuals, and draws no term towards it.
 TEST(ExplainedResiduals, BesideARunApartAreThoseOfTheOthers) {
   const Bench bench({8, 6, 3, 0}, [](std::size_t run) {
     return run == 5 ? Pattern{3, 0.3, 0, 4} : Pattern{3, 0.3};
@@ -101,7 +101,7 @@ TEST(ExplainedResiduals, OfATermThatMakesThemWorseAreBelowZero) {
   EXPECT_LT(by.terms[1].share, 0);
 }
 
-// What a fold has found in the place of a cause is taken out with it.
+// The term that a fold has found in place of a cause is taken out with it.
 TEST(StandIns, OfACauseAreItsAlternatives) {
   AcceptedTerm accepted;
   accepted.effect = of_size(on_T1, 3);
