@@ -24,8 +24,8 @@
 namespace reeve::search {
 namespace {
 
-// Counts the routings that the source leaves out (routing_source.hpp) as generated and rejected for
-// their parts.
+// Counts the routings that the source leaves out (routing_source.hpp) as generated and evaluated,
+// or rejected for their parts.
 class LeftOutRoutings {
  public:
   // Counts routings of `range`. The first `counted` places of the range are in the part already.
@@ -36,13 +36,14 @@ class LeftOutRoutings {
   // Continues with another range.
   void go_on_with(ShardRange range, std::uint64_t counted);
 
-  // Adds the left-out routings among the first `generated` that were not added before.
-  void add_to(ExplorationPart& part, std::uint64_t generated);
+  // Adds the left-out routings among the first `generated` that were not added before. Of those
+  // within the limits `given` were not left out.
+  void add_to(ExplorationPart& part, std::uint64_t generated, std::uint64_t given);
 
  private:
   RoutingSource& source_;
   ShardRange range_;
-  std::vector<std::uint64_t> before_;  // [constraint]: rejections at places counted already
+  RoutingSource::Counts before_;  // at places counted already
   std::vector<std::optional<RoutingSource::LeftOutPlace>> references_;
 };
 
@@ -57,16 +58,18 @@ LeftOutRoutings::LeftOutRoutings(const ExploreOptions& options, RoutingSource& s
 
 void LeftOutRoutings::go_on_with(ShardRange range, std::uint64_t counted) {
   range_ = range;
-  before_ = source_.left_out_before(range.begin + counted);
+  before_ = source_.counts_before(range.begin + counted);
 }
 
-void LeftOutRoutings::add_to(ExplorationPart& part, std::uint64_t generated) {
-  const std::vector<std::uint64_t> until = source_.left_out_before(range_.begin + generated);
-  for (std::size_t c = 0; c < until.size(); ++c) {
-    part.constraint_failures[c] += until[c] - before_[c];
-    part.evaluated += until[c] - before_[c];
+void LeftOutRoutings::add_to(ExplorationPart& part, std::uint64_t generated, std::uint64_t given) {
+  RoutingSource::Counts until = source_.counts_before(range_.begin + generated);
+  part.evaluated += until.within - before_.within - given;
+  for (std::size_t c = 0; c < until.rejected.size(); ++c) {
+    const std::uint64_t rejected = until.rejected[c] - before_.rejected[c];
+    part.constraint_failures[c] += rejected;
+    part.evaluated += rejected;
   }
-  before_ = until;
+  before_ = std::move(until);
   for (std::size_t r = 0; r < references_.size(); ++r) {
     const auto& left = references_[r];
     if (!left || left->place < range_.begin || left->place >= range_.begin + generated) continue;
@@ -132,6 +135,9 @@ class Exploration {
                                    range_.end - range_.begin));
     }
     part_.total = range_.end - range_.begin;
+    if (parts_decide_ && !checkpoint.design && (options.constraints.empty() || !tells_reaches_)) {
+      leave_out_unwanted();
+    }
     go_on();
   }
 
@@ -181,6 +187,20 @@ class Exploration {
     references_.count_from_zero();
   }
 
+  // The evaluator is one of its own, since routings are made while others are evaluated.
+  void leave_out_unwanted() {
+    auto evaluator =
+        std::make_shared<DecidingEvaluator>(options_.model, options_.grasps, options_.score,
+                                            options_.prices, deciding_objectives(options_));
+    if (!evaluator->estimates()) return;
+    source_.leave_out_unwanted(
+        possible_hardware(options_.model),
+        [this, evaluator](const RoutingBeginning& beginning, const ShardRange& places) {
+          const std::optional<Estimate> bound = evaluator->estimate(beginning);
+          return !bound || !is_far(*bound) || part_.sample.may_have_one(places);
+        });
+  }
+
   // Credits all earlier counts to the first worker.
   void go_on() {
     generated_ = part_.generated;
@@ -203,7 +223,7 @@ class Exploration {
     try {
       if (left_out_) {
         left_out_->go_on_with(range_, generated_);
-      } else {
+      } else if (source_.leaves_out()) {
         left_out_.emplace(options_, source_, range_, generated_);
       }
       source_.seek(range_.begin + generated_, range_.end);
@@ -293,16 +313,17 @@ class Exploration {
     references_.count(evaluated(slot), worker, part_.references);
   }
 
-  // Returns the values at best if they suffice: if the design cannot be kept, and counts alike at
-  // best and at worst. Otherwise returns nothing.
+  // Returns the values at best if they suffice. Otherwise returns nothing.
   std::optional<ObjectiveValues> far_values(const Routing& routing,
                                             DecidingEvaluator& evaluator) const {
     if (!parts_decide_) return std::nullopt;
     const std::optional<Estimate> estimate = evaluator.estimate(routing);
-    if (!estimate || may_be_kept(estimate->at_best) || !references_.agree(*estimate)) {
-      return std::nullopt;
-    }
-    return estimate->at_best;
+    return estimate && is_far(*estimate) ? std::optional(estimate->at_best) : std::nullopt;
+  }
+
+  // True if no such design can be kept, and all count alike.
+  bool is_far(const Estimate& estimate) const {
+    return !may_be_kept(estimate.at_best) && references_.agree(estimate);
   }
 
   bool may_be_kept(const ObjectiveValues& values) const {
@@ -347,6 +368,7 @@ class Exploration {
     for (std::size_t i = 0; i < done; ++i) {
       const BatchSlot& slot = batch_.slots[i];
       if (!fails_by_parts(slot)) part_.unconverged += slot.unconverged;
+      ++given_;
       if (!slot.has_tensions && slot.failed_constraint == 0) {
         part_.without_tensions.add({1, slot.word});
         continue;
@@ -365,7 +387,7 @@ class Exploration {
   // May be called at any time between batches.
   void add_up() {
     part_.generated = generated_;
-    if (left_out_) left_out_->add_to(part_, generated_);
+    if (left_out_) left_out_->add_to(part_, generated_, std::exchange(given_, 0));
     const auto elapsed = std::chrono::steady_clock::now() - start_;
     part_.seconds = seconds_before_ + std::chrono::duration<double>(elapsed).count();
     if (tells_reaches_) {
@@ -398,6 +420,7 @@ class Exploration {
   Batch next_;                              // the batch being generated meanwhile
   std::uint64_t filled_ = 0;                // routings generated
   std::uint64_t generated_ = 0;             // … up to the last that was evaluated
+  std::uint64_t given_ = 0;                 // evaluated since what is left out was counted
 };
 
 // An exploration that owns the options that it refers to.

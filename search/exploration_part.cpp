@@ -275,6 +275,16 @@ bool DesignSample::would_enter(std::uint64_t place) const {
   return size_ > 0 && lot(place) < members_.front().lot;
 }
 
+bool DesignSample::may_have_one(const ShardRange& places) const {
+  // Some hundredths of a second to look at.
+  constexpr std::uint64_t many = 1 << 22;
+  if (places.end - places.begin > many) return true;
+  for (std::uint64_t place = places.begin; place < places.end; ++place) {
+    if (would_enter(place)) return true;
+  }
+  return false;
+}
+
 void DesignSample::add(std::uint64_t place, const Routing& routing) {
   if (!would_enter(place)) return;
   if (members_.size() == size_) {

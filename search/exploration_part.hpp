@@ -34,6 +34,8 @@ class DesignSample {
 
   // True if the routing at this place of the enumeration would enter now. Thread-safe.
   bool would_enter(std::uint64_t place) const;
+  // True if one at these places might.
+  bool may_have_one(const ShardRange& places) const;
 
   void add(std::uint64_t place, const Routing& routing);
 

@@ -1,5 +1,7 @@
 #include "search/routing_source.hpp"
 
+#include <utility>
+
 namespace reeve::search {
 namespace {
 
@@ -55,11 +57,15 @@ bool RoutingSource::next(Routing& routing, std::uint64_t& place) {
   return false;
 }
 
-std::vector<std::uint64_t> RoutingSource::left_out_before(std::uint64_t place) {
-  if (!prunes_) return {};
-  std::vector<std::uint64_t> verdicts = limited_->verdicts_before(place);
-  verdicts.erase(verdicts.begin(), verdicts.begin() + static_cast<std::ptrdiff_t>(failing(0)));
-  return verdicts;
+bool RoutingSource::leave_out_unwanted(const Hardware& hardware, IsWanted is_wanted) {
+  leaves_out_unwanted_ = limited_ && limited_->leave_out_unwanted(hardware, std::move(is_wanted));
+  return leaves_out_unwanted_;
+}
+
+RoutingSource::Counts RoutingSource::counts_before(std::uint64_t place) {
+  const std::vector<std::uint64_t> verdicts = limited_->verdicts_before(place);
+  return {verdicts[within_limits],
+          {verdicts.begin() + static_cast<std::ptrdiff_t>(failing(0)), verdicts.end()}};
 }
 
 std::optional<RoutingSource::LeftOutPlace> RoutingSource::place_left_out(const Routing& routing) {

@@ -5,6 +5,9 @@
 //
 // A constraint behind one that needs tensions does not prune: only tensions tell which of the two
 // is the first to reject a design.
+//
+// Likewise, what begins in a way in which nothing can be kept is counted, not made, where there are
+// no floating blocks and fingers are identical.
 #pragma once
 
 #include <cstdint>
@@ -35,9 +38,18 @@ class RoutingSource {
   // False behind the last before the end. Keeps the memory of `routing`.
   bool next(Routing& routing, std::uint64_t& place);
 
-  // Returns, for each pruning constraint, how many left-out routings before this place it is the
-  // first to reject. Quick behind places passed already; elsewhere as slow as a seek.
-  std::vector<std::uint64_t> left_out_before(std::uint64_t place);
+  // Gives no tendons without blocks that begin in an unwanted way. False if it cannot.
+  bool leave_out_unwanted(const Hardware& hardware, IsWanted is_wanted);
+
+  // True if it gives fewer than all actuated routings.
+  bool leaves_out() const { return prunes_ || leaves_out_unwanted_; }
+
+  // Routings before a place. Quick behind places passed already; elsewhere as slow as a seek.
+  struct Counts {
+    std::uint64_t within = 0;             // actuated, and meeting the pruning constraints
+    std::vector<std::uint64_t> rejected;  // by the pruning constraint that is the first to reject
+  };
+  Counts counts_before(std::uint64_t place);
 
   struct LeftOutPlace {
     std::uint64_t place = 0;
@@ -50,6 +62,7 @@ class RoutingSource {
  private:
   RoutingGenerator all_;
   bool prunes_;
+  bool leaves_out_unwanted_ = false;
   std::optional<LimitedGenerator> limited_;
   std::uint64_t place_ = 0;
   std::uint64_t end_ = 0;

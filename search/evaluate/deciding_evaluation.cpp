@@ -39,15 +39,15 @@ TallyValue value_beside(const TreeSums& others, const TreeSums& state) {
   return value_of(others.in_range && state.in_range, others.motor + state.motor, strands);
 }
 
-TallyValue value_held(std::size_t held, const std::vector<TreeSpan>& spans,
-                      const std::vector<const TreeOutline*>& trees) {
+TallyValue value_held(std::size_t held, const std::vector<const TreeOutline*>& trees) {
   TreeSums moving;
   TreeSums jammed;
-  for (std::size_t t = 0; t < spans.size(); ++t) {
-    const auto before = static_cast<std::size_t>(spans[t].fingers_before);
-    const bool is_its_own = held > before && held < before + trees[t]->sums.size();
-    const TreeSums& sums = trees[t]->sums[is_its_own ? held - before : 0];
+  std::size_t before = 0;
+  for (const TreeOutline* tree : trees) {
+    const bool is_its_own = held > before && held < before + tree->sums.size();
+    const TreeSums& sums = tree->sums[is_its_own ? held - before : 0];
     (sums.jams ? jammed : moving) += sums;
+    before += static_cast<std::size_t>(tree->fingers);
   }
   return value_of(moving, jammed);
 }
@@ -88,7 +88,8 @@ bool contains(const auto& objectives, Objective objective) {
 
 }  // namespace
 
-PerformanceOutliner::PerformanceOutliner(const GraspSet& grasps) : weights_(max_fingers + 1) {
+PerformanceOutliner::PerformanceOutliner(const GraspSet& grasps, double most_efficiency)
+    : most_efficiency_(most_efficiency), weights_(max_fingers + 1) {
   double all = 0;
   for (const WeightedGrasp& grasp : grasps) all += grasp.weight;
   for (const WeightedGrasp& grasp : grasps) {
@@ -99,7 +100,8 @@ PerformanceOutliner::PerformanceOutliner(const GraspSet& grasps) : weights_(max_
   }
 }
 
-bool PerformanceOutliner::add_up_others(const std::vector<const TreeOutline*>& trees) {
+TreeSums PerformanceOutliner::add_up_others(const RoutingBeginning& beginning) {
+  const std::vector<const TreeOutline*>& trees = beginning.trees;
   others_.assign(trees.size(), TreeSums{});
   TreeSums before;
   for (std::size_t t = 0; t < trees.size(); ++t) {
@@ -107,32 +109,40 @@ bool PerformanceOutliner::add_up_others(const std::vector<const TreeOutline*>& t
     before += trees[t]->sums[0];
   }
   TreeSums behind;
+  behind.motor = beginning.most_motor_tension;
+  behind.strands.work = most_efficiency_ * beginning.most_motor_tension;
   for (std::size_t t = trees.size(); t-- > 0;) {
     others_[t] += behind;
     behind += trees[t]->sums[0];
   }
-  return !behind.jams;
+  return behind;
 }
 
-std::optional<OutlinedPerformance> PerformanceOutliner::outlined(
-    const std::vector<TreeSpan>& spans, const std::vector<const TreeOutline*>& trees) {
+std::optional<OutlinedPerformance> PerformanceOutliner::at_best(const RoutingBeginning& beginning) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   OutlinedPerformance result{{0, 0}, {infinity, infinity}};
-  const bool moves = add_up_others(trees);
-  const auto add_state = [&](std::size_t t, std::size_t state) {
-    const auto before = static_cast<std::size_t>(spans[t].fingers_before);
-    const std::size_t held = state == 0 ? 0 : before + state;
-    if (!weights_[held].is_asked) return true;
-    const TallyValue value =
-        moves ? value_beside(others_[t], trees[t]->sums[state]) : value_held(held, spans, trees);
-    if (value) add_value(weights_[held].share, *value, result);
+  const TreeSums free = add_up_others(beginning);
+  if (free.jams && beginning.open > 0) return std::nullopt;
+  std::size_t held = 0;
+  const auto add = [&](const TallyValue& moving) {
+    const Weight& weight = weights_[held];
+    if (!weight.is_asked) return true;
+    const TallyValue value = free.jams ? value_held(held, beginning.trees) : moving;
+    if (value) add_value(weight.share, *value, result);
     return value.has_value();
   };
-  if (!add_state(0, 0)) return std::nullopt;
-  for (std::size_t t = 0; t < trees.size(); ++t) {
-    for (std::size_t state = 1; state < trees[t]->sums.size(); ++state) {
-      if (!add_state(t, state)) return std::nullopt;
+  const TallyValue not_held = value_of(free, {});
+  if (!add(not_held)) return std::nullopt;
+  for (std::size_t t = 0; t < beginning.trees.size(); ++t) {
+    const TreeOutline& tree = *beginning.trees[t];
+    for (std::size_t state = 1; state < tree.sums.size(); ++state) {
+      ++held;
+      if (!add(value_beside(others_[t], tree.sums[state]))) return std::nullopt;
     }
+  }
+  for (int open = 0; open < beginning.open; ++open) {
+    ++held;
+    if (!add(not_held)) return std::nullopt;
   }
   return result;
 }
@@ -148,13 +158,17 @@ DecidingEvaluator::DecidingEvaluator(const Model& model, const GraspSet& grasps,
       compares_fingers_(contains(wanted_, Objective::finger_uniformity_mean) ||
                         contains(wanted_, Objective::finger_uniformity_worst)),
       grasps_(grasps),
-      whole_(model, grasps, score, prices),
-      outliner_(grasps) {
+      whole_(model, grasps, score, prices) {
   if (!whole_.has_hand()) extent_.hand = false;
   // A single grasp is solved as quickly as the states of a tree.
   const bool share = grasps.size() > 1 && hold_one_finger_at_most(grasps);
   if (are_of_strands(extent_) && share && routings_share_states(model)) {
-    known_.emplace(possible_hardware(model));
+    const Hardware hardware = possible_hardware(model);
+    known_.emplace(hardware);
+    const double sheath = hardware.sheath.exponent();
+    outliner_.emplace(grasps, std::exp(-sheath));
+    greatest_exponent_ = std::max({sheath, hardware.tube.exponent(), hardware.bearing.exponent(),
+                                   hardware.block.value_or(hardware.bearing).exponent()});
   }
   for (const Objective objective : wanted_) {
     if (contains(of_parts, objective)) of_parts_.push_back(objective);
@@ -242,26 +256,46 @@ double DecidingEvaluator::tendon_length() const {
   return sum;
 }
 
-std::optional<Estimate> DecidingEvaluator::estimate(const Routing& routing) {
-  if (!estimates_ || !split_into_trees(routing, spans_)) return std::nullopt;
-  const std::vector<const TreeOutline*>& trees = known_->outlines(routing, spans_);
-  if (trees.empty()) return std::nullopt;
-  const std::optional<OutlinedPerformance> outlined = outliner_.outlined(spans_, trees);
-  if (!outlined) return std::nullopt;
+std::optional<Estimate> DecidingEvaluator::estimate(const RoutingBeginning& beginning) {
+  if (!estimates_) return std::nullopt;
+  const bool is_whole = beginning.open == 0;
+  int fingers = beginning.open;
   outcome_.parts = {};
-  for (const TreeOutline* tree : trees) outcome_.parts += tree->parts;
+  for (const TreeOutline* tree : beginning.trees) {
+    outcome_.parts += tree->parts;
+    fingers += tree->fingers;
+  }
+  // The other trees may have tensions that leave the range of a double, but with less friction than
+  // this.
+  constexpr double safe = 600;
+  constexpr int contacts_of_a_finger = 16;  // with the joins that lead to it
+  if (!is_whole && greatest_exponent_ * contacts_of_a_finger * (fingers + 1) > safe) {
+    return std::nullopt;
+  }
+  const std::optional<OutlinedPerformance> outlined = outliner_->at_best(beginning);
+  if (!outlined) return std::nullopt;
   Estimate result;
   compute_objectives(outcome_, of_parts_, result.at_best);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   result.at_worst = result.at_best;
-  const auto put = [&](Objective objective, double value) {
-    result.at_best[static_cast<std::size_t>(objective)] = value + estimate_margin;
-    result.at_worst[static_cast<std::size_t>(objective)] = value - estimate_margin;
+  for (const Objective objective : of_parts_) {
+    if (!is_whole) value(result.at_worst, objective) = infinity;
+  }
+  const auto put = [&](Objective objective, double seen) {
+    value(result.at_best, objective) = seen + estimate_margin;
+    value(result.at_worst, objective) = is_whole ? seen - estimate_margin : -infinity;
   };
   put(Objective::uniformity_mean, outlined->mean.uniformity);
   put(Objective::uniformity_worst, outlined->worst.uniformity);
   put(Objective::efficiency_mean, outlined->mean.efficiency);
   put(Objective::efficiency_worst, outlined->worst.efficiency);
   return result;
+}
+
+std::optional<Estimate> DecidingEvaluator::estimate(const Routing& routing) {
+  if (!estimates_ || !split_into_trees(routing, spans_)) return std::nullopt;
+  beginning_.trees = known_->outlines(routing, spans_);
+  return beginning_.trees.empty() ? std::nullopt : estimate(beginning_);
 }
 
 // Returns the same as JamFinder::grasps.

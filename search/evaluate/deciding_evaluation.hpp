@@ -9,8 +9,8 @@
 // with sums in the order of the routing's segments, as they would be without that. Otherwise, and
 // where objectives need more than what the strands do, every routing is solved as a whole.
 //
-// Most designs are far from anything that is kept, and what a few sums of each tree say is enough
-// to know it: an estimate, which is off by no more than rounding.
+// Most designs are far from anything that is kept, and a few sums of their trees, or of those that
+// they begin with (routing_beginning.hpp), are enough to know it.
 #pragma once
 
 #include <optional>
@@ -19,16 +19,12 @@
 #include "core/grasp.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "search/evaluate/known_trees.hpp"
+#include "search/evaluate/routing_beginning.hpp"
 #include "search/evaluate/tree_spans.hpp"
 
 namespace reeve::search {
 
-// Uniformity and motor efficiency of a routing over its grasps, from the sums of its trees.
-//
-// In a grasp of which trees are in these states, least and greatest strand tension, motor tension
-// and work are those of the trees together (known_trees.hpp):
-//
-//   uniformity = min_t least_t / max_t most_t,  efficiency = Σ_t work_t / Σ_t motor_t
+// Uniformity and motor efficiency over the grasps at best, from sums of trees.
 //
 // Beside a tree that jams the others are slack. A grasp that holds one finger changes one tree, so
 // that the others are added up once for all of them.
@@ -44,12 +40,12 @@ struct OutlinedPerformance {
 
 class PerformanceOutliner {
  public:
-  // The grasps must hold one finger at most.
-  explicit PerformanceOutliner(const GraspSet& grasps);
+  // The grasps must hold one finger at most. No efficiency is greater than `most_efficiency`.
+  PerformanceOutliner(const GraspSet& grasps, double most_efficiency);
 
-  // Returns nothing if a value leaves the range of a double, or if there is no strand.
-  std::optional<OutlinedPerformance> outlined(const std::vector<TreeSpan>& spans,
-                                              const std::vector<const TreeOutline*>& trees);
+  // Returns nothing if a value leaves the range of a double, if there is no strand, or if trees jam
+  // that are not all. The sums are of all states.
+  std::optional<OutlinedPerformance> at_best(const RoutingBeginning& beginning);
 
  private:
   struct Weight {
@@ -57,15 +53,16 @@ class PerformanceOutliner {
     double share = 0;  // share of all grasps
   };
 
-  // For each tree, adds up the sums of the other trees with no finger held. False if one of them
-  // then jams.
-  bool add_up_others(const std::vector<const TreeOutline*>& trees);
+  // For each tree, adds up the sums of the other trees with no finger held. Returns the sum of all.
+  TreeSums add_up_others(const RoutingBeginning& beginning);
 
+  double most_efficiency_;
   std::vector<Weight> weights_;  // [held finger]; 0: no finger held
   std::vector<TreeSums> others_;
 };
 
-// Bounds on the values that evaluate() would return.
+// Bounds on the values that evaluate() would return. Of a beginning with open fingers there is none
+// at worst.
 struct Estimate {
   ObjectiveValues at_best{};
   ObjectiveValues at_worst{};
@@ -83,8 +80,11 @@ class DecidingEvaluator {
   // Returns the wanted objectives that count parts, which need no tensions; the others are 0.
   ObjectiveValues part_values(const Routing& routing);
 
-  // Returns nothing if routings are not put together from trees, or if more is wanted than
-  // uniformity, efficiency and parts.
+  // True if routings are put together from trees, and no more is wanted than uniformity, efficiency
+  // and parts.
+  bool estimates() const { return estimates_; }
+  // Of all routings that begin so. Returns nothing without estimates.
+  std::optional<Estimate> estimate(const RoutingBeginning& beginning);
   std::optional<Estimate> estimate(const Routing& routing);
 
   bool combines() const { return known_.has_value(); }
@@ -111,16 +111,18 @@ class DecidingEvaluator {
   bool scored_ = false;
   bool compares_fingers_ = false;
   bool estimates_ = false;
+  double greatest_exponent_ = 0;     // of any contact
   std::vector<Objective> of_parts_;  // wanted objectives that count parts
   GraspSet grasps_;
   DesignEvaluator whole_;
   std::optional<KnownTrees> known_;
-  PerformanceOutliner outliner_;
+  std::optional<PerformanceOutliner> outliner_;
 
   // State of the current routing.
   std::vector<TreeSpan> spans_;
   const std::vector<const SolvedTrees*>* trees_ = nullptr;
   std::vector<SolvedTree> states_;  // states of its trees in one grasp
+  RoutingBeginning beginning_;
   DesignOutcome outcome_;
 };
 

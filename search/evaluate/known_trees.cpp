@@ -39,6 +39,7 @@ void TreeSolver::solve(const Routing& tree, SolvedTrees& states) {
   expand(tree, network_);
   builder_.apply(network_, mechanics_);
   states.outline.parts = parts(network_);
+  states.outline.fingers = network_.fingers;
   states.length = mechanics_.length;
   states.strand_finger.clear();
   states.motor_sides = 0;
@@ -69,7 +70,11 @@ void KnownTrees::solve(const Routing& routing, const TreeSpan& span, Place& plac
 void KnownTrees::outline(const Routing& routing, const TreeSpan& span, Place& place) {
   place.key = span.key;
   place.solved = false;
-  if (!tendon_sums_.find(routing, span, place.states.outline)) solve(routing, span, place);
+  const bool alone = span.end - span.begin == 1;
+  if (alone && tendon_sums_.find(routing.tendons[span.begin], span.fingers, place.states.outline)) {
+    return;
+  }
+  solve(routing, span, place);
 }
 
 // Returns nothing if this routing uses all places of this hash.

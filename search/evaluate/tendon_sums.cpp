@@ -72,30 +72,32 @@ void TendonSums::read_token(const Tendon& tendon, std::size_t i, PartCount& part
   }
 }
 
-void TendonSums::read_gap(const Tendon& tendon, std::size_t i, int fingers_before) {
-  const Token& left = tendon.walk[i];
-  const Token& right = tendon.walk[i + 1 == tendon.walk.size() ? 0 : i + 1];
-  if (is_of_finger(left.kind)) {
-    pieces_.push_back({strand_mm_, false, left.finger - fingers_before});
-  } else if (is_of_finger(right.kind)) {
-    pieces_.push_back({strand_mm_, false, right.finger - fingers_before});
+// Fingers count from 1 in the order of the walk, of which `fingers` have been passed.
+void TendonSums::read_gap(const Tendon& tendon, std::size_t i, int fingers) {
+  const std::size_t next = i + 1 == tendon.walk.size() ? 0 : i + 1;
+  if (is_of_finger(tendon.walk[i].kind)) {
+    pieces_.push_back({strand_mm_, false, fingers});
+  } else if (is_of_finger(tendon.walk[next].kind)) {
+    pieces_.push_back({strand_mm_, false, next == 0 ? 1 : fingers + 1});
   } else {
     pieces_.push_back({hand_mm_, false, 0});
   }
 }
 
 // False where a block ties it, or no motor pulls it.
-bool TendonSums::read(const Tendon& tendon, int fingers_before, PartCount& parts) {
+bool TendonSums::read(const Tendon& tendon, TreeOutline& outline) {
   pieces_.clear();
   links_.clear();
-  parts = {};
+  PartCount& parts = outline.parts = {};
   closed_ = tendon.closed;
   parts.knots = closed_ ? 1 : 0;
   const std::size_t n = tendon.walk.size();
+  int& fingers = outline.fingers = 0;
   for (std::size_t i = 0; i < n; ++i) {
     if (is_of_block(tendon.walk[i].kind)) return false;
+    if (is_of_finger(tendon.walk[i].kind)) ++fingers;
     if (i > 0 || !closed_) read_token(tendon, i, parts);
-    if (i + 1 < n || closed_) read_gap(tendon, i, fingers_before);
+    if (i + 1 < n || closed_) read_gap(tendon, i, fingers);
   }
   if (closed_) read_token(tendon, 0, parts);
   motor_sides_ = 0;
@@ -238,12 +240,11 @@ bool TendonSums::find_sums(int held, TreeSums& sums) {
   return true;
 }
 
-bool TendonSums::find(const Routing& routing, const TreeSpan& span, TreeOutline& outline) {
-  if (span.end - span.begin != 1) return false;
-  if (!read(routing.tendons[span.begin], span.fingers_before, outline.parts)) return false;
-  outline.sums.resize(static_cast<std::size_t>(span.fingers) + 1);
-  for (int held = 0; held <= span.fingers; ++held) {
-    if (!find_sums(held, outline.sums[static_cast<std::size_t>(held)])) return false;
+bool TendonSums::find(const Tendon& tendon, int held, TreeOutline& outline) {
+  if (!read(tendon, outline)) return false;
+  outline.sums.resize(static_cast<std::size_t>(held) + 1);
+  for (int state = 0; state <= held; ++state) {
+    if (!find_sums(state, outline.sums[static_cast<std::size_t>(state)])) return false;
   }
   return true;
 }

@@ -31,8 +31,10 @@ class TendonSums {
  public:
   explicit TendonSums(const Hardware& hardware);
 
-  // False where the tree is no such tendon, or jams in a state. Keeps the memory of `outline`.
-  bool find(const Routing& routing, const TreeSpan& span, TreeOutline& outline);
+  // The states in which no finger is held, and each of the first `held` in the order of the walk,
+  // whatever their numbers. False where it is no such tendon, or jams in one of these. Keeps the
+  // memory of `outline`.
+  bool find(const Tendon& tendon, int held, TreeOutline& outline);
 
  private:
   struct Law {
@@ -52,9 +54,9 @@ class TendonSums {
     int finger = 0;  // finger of a strand, from 1; otherwise 0
   };
 
-  bool read(const Tendon& tendon, int fingers_before, PartCount& parts);
+  bool read(const Tendon& tendon, TreeOutline& outline);
   void read_token(const Tendon& tendon, std::size_t i, PartCount& parts);
-  void read_gap(const Tendon& tendon, std::size_t i, int fingers_before);
+  void read_gap(const Tendon& tendon, std::size_t i, int fingers);
   void add_motor_side() { pieces_.push_back({motor_side_mm_, true, 0}); }
   void add_link(const Law& law) { links_.push_back({&law, 0}); }
   bool find_sums(int held, TreeSums& sums);

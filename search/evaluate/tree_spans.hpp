@@ -28,6 +28,7 @@ struct TreeSums {
 
 struct TreeOutline {
   PartCount parts;
+  int fingers = 0;
   std::vector<TreeSums> sums;  // [0]: no finger held; [f]: finger f held
 };
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "search/enumerate/generator.hpp"
@@ -82,6 +83,11 @@ class LimitedGenerator {
   void seek(std::uint64_t place);
   // False when all have been given. Keeps the memory of `routing`.
   bool next(Routing& routing, std::uint64_t& place);
+
+  // Gives no tendons without blocks that begin in an unwanted way. False if it cannot.
+  bool leave_out_unwanted(const Hardware& hardware, IsWanted is_wanted) {
+    return tendons_.leave_out_unwanted(hardware, std::move(is_wanted));
+  }
 
   // Counts the routings at places below this one by verdict (part_classes.hpp): within the limits,
   // not actuated, and for each constraint those that it is the first to reject.

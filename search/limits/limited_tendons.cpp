@@ -101,14 +101,40 @@ bool LimitedTendons::can_be_filled(const Level& level) const {
                            .test(level.sum);
 }
 
+bool LimitedTendons::leave_out_unwanted(const Hardware& hardware, IsWanted is_wanted) {
+  constexpr std::uint64_t most_short_tendons = 100'000;
+  const std::size_t fingers = shapes_.size() - 1;
+  if (shapes_[fingers / 2] > most_short_tendons) return false;
+  is_wanted_ = std::move(is_wanted);
+  outlines_ = std::make_unique<ShapeOutlines>(hardware, listed_, static_cast<int>(fingers));
+  return true;
+}
+
+// A whole routing is not asked for: whoever reads it evaluates it.
+bool LimitedTendons::may_be_wanted(const Level& level) {
+  if (!outlines_ || level.rest() == 0) return true;
+  ShardRange places;
+  beginning_.trees.clear();
+  for (const Level* each = at_.levels.data(); each <= &level; ++each) {
+    beginning_.trees.push_back(outlines_->find(each->shape));
+    if (beginning_.trees.back() == nullptr) return true;
+    places.begin += each->before;
+  }
+  beginning_.open = level.rest();
+  beginning_.most_motor_tension = outlines_->most_motor_tension(level.rest());
+  ListedShape next = level.shape;
+  ++next.index;
+  places.end = places.begin + from(level.shape, level.open) - from(next, level.open);
+  return is_wanted_(beginning_, places);
+}
+
 // Goes to the first shape, from this one on, that can still be completed. False if there is none.
 bool LimitedTendons::settle(Level& level) {
   do {
     level.sum = classes_.plus(level.base, level.shape.parts);
-    if (can_be_filled(level)) {
-      level.before = from(level.first, level.open) - from(level.shape, level.open);
-      return true;
-    }
+    if (!can_be_filled(level)) continue;
+    level.before = from(level.first, level.open) - from(level.shape, level.open);
+    if (may_be_wanted(level)) return true;
   } while (step(level));
   return false;
 }

@@ -8,17 +8,29 @@
 // those whose next tendon is shape i of size s or a later one are
 //   N(s, i) = Σ_m multichoose(shapes(s) - i, m) sets(tendons below s, fingers - m s),
 // so the place of a routing is the sum over its tendons of N(first choice) - N(this choice).
+//
+// Whoever reads them may also say that nothing is wanted of what begins in some way
+// (evaluate/routing_beginning.hpp): it is passed over likewise.
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "core/hardware.hpp"
 #include "core/routing.hpp"
+#include "search/enumerate/generator.hpp"
+#include "search/evaluate/routing_beginning.hpp"
 #include "search/limits/listed_shapes.hpp"
+#include "search/limits/shape_outlines.hpp"
 #include "search/stop_check.hpp"
 
 namespace reeve::search {
+
+// True if something that begins so is wanted, at one of these places of the tendons without blocks.
+using IsWanted = std::function<bool(const RoutingBeginning&, const ShardRange& places)>;
 
 class LimitedTendons {
  public:
@@ -37,6 +49,10 @@ class LimitedTendons {
   void seek(int fingers, PartClass beside, std::uint64_t index);
   // False when all have been given. Keeps the memory of `routing`.
   bool next(Routing& routing, std::uint64_t& place);
+
+  // Gives no routing of this hardware that begins in an unwanted way. False if the fingers are too
+  // many for a table of the short tendons.
+  bool leave_out_unwanted(const Hardware& hardware, IsWanted is_wanted);
 
   // Returns the place of a canonical routing, whatever its parts, if it is in the enumeration.
   std::optional<std::uint64_t> place_of(const Routing& routing);
@@ -79,6 +95,7 @@ class LimitedTendons {
   bool enter();
   bool step(Level& level);
   bool can_be_filled(const Level& level) const;
+  bool may_be_wanted(const Level& level);
   bool settle(Level& level);
   bool fill();
   bool advance();
@@ -95,6 +112,9 @@ class LimitedTendons {
   std::vector<std::vector<ClassCounts>> set_counts_;
   std::vector<std::vector<ClassSet>> can_be_filled_;  // [largest][fingers]: sums before
   ListedShapes listed_;
+  std::unique_ptr<ShapeOutlines> outlines_;  // set if what is unwanted is left out
+  IsWanted is_wanted_;
+  RoutingBeginning beginning_;
 
   State at_;
   std::uint64_t steps_ = 0;

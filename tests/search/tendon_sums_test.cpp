@@ -72,7 +72,8 @@ std::size_t compared(const Hardware& hardware, int fingers) {
     solver.solve(routing, states);
     const bool jams = std::any_of(states.outline.sums.begin(), states.outline.sums.end(),
                                   [](const TreeSums& sums) { return sums.jams; });
-    EXPECT_EQ(quick.find(routing, spans.front(), outline), !jams) << to_word(routing);
+    EXPECT_EQ(quick.find(routing.tendons.front(), finger_count(routing), outline), !jams)
+        << to_word(routing);
     if (jams) continue;
     expect_same(outline, states.outline, to_word(routing));
     ++many;
@@ -99,7 +100,7 @@ TEST(TendonSums, KnowTheFingersBeforeIt) {
   std::vector<TreeSpan> spans;
   ASSERT_TRUE(split_into_trees(routing, spans));
   TreeOutline outline;
-  ASSERT_TRUE(quick.find(routing, spans[1], outline));
+  ASSERT_TRUE(quick.find(routing.tendons[1], 3, outline));
   SolvedTrees alone;
   TreeSolver(hardware).solve(parse_routing("M-1-B-2-P-3-F"), alone);
   expect_same(outline, alone.outline, "behind one finger");
@@ -112,7 +113,7 @@ TEST(TendonSums, TakeNoTendonThatBlocksTieOrNoMotorPulls) {
     const Routing routing = parse_routing(word);
     std::vector<TreeSpan> spans;
     ASSERT_TRUE(split_into_trees(routing, spans));
-    EXPECT_FALSE(quick.find(routing, spans.front(), outline)) << word;
+    EXPECT_FALSE(quick.find(routing.tendons.front(), finger_count(routing), outline)) << word;
   }
 }
 
@@ -123,7 +124,7 @@ TEST(TendonSums, SayWhereNumbersEnd) {
   std::vector<TreeSpan> spans;
   ASSERT_TRUE(split_into_trees(routing, spans));
   TreeOutline outline;
-  ASSERT_TRUE(quick.find(routing, spans.front(), outline));
+  ASSERT_TRUE(quick.find(routing.tendons.front(), finger_count(routing), outline));
   EXPECT_FALSE(outline.sums.front().in_range);
 }
 
