@@ -8,7 +8,7 @@
 // and lines cross at right angles only.
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <utility>
 
 #include "drawing/schematic/columns.hpp"
@@ -29,58 +29,23 @@ struct Arrangement {
   Columns columns;
 };
 
-// A straight line, upright or level.
-struct Straight {
-  double at = 0;  // x if it is upright, y if it is level
-  double from = 0;
-  double to = 0;
-};
-
-Straight straight(double at, double a, double b) { return {at, std::min(a, b), std::max(a, b)}; }
-
-struct Straights {
-  std::vector<Straight> upright;
-  std::vector<Straight> level;
-};
-
-Straights straights(const Fittings& all, const Arrangement& made) {
-  Straights found;
+// Counts crossings of level stretches with upright lines: the order of both tells.
+std::size_t crossings(const Arrangement& made, const std::vector<Strip>& strips,
+                      const Ranks& ranks) {
+  std::size_t count = 0;
   for (const LaneStretch& stretch : made.lanes.stretches) {
     const double y = height(made.heights, stretch);
-    const double one = column(all, made.columns, stretch.port[0]);
-    const double other = column(all, made.columns, stretch.port[1]);
-    found.level.push_back(straight(y, one, other));
-    for (const std::size_t end : {0U, 1U}) {
-      const double x = end == 0 ? one : other;
-      found.upright.push_back(straight(x, y, height(all, made.heights, stretch.port[end])));
+    const auto [left, right] = std::minmax(ranks[stretch.port[0]], ranks[stretch.port[1]]);
+    for (const Strip& strip : strips) {
+      const bool passes = strip.segment != nowhere && strip.top < y && strip.bottom > y;
+      if (passes && strip.rank > left && strip.rank < right) ++count;
     }
   }
-  for (const Fitting& sheath : all.fittings) {
-    if (sheath.carrier == nowhere) continue;
-    found.upright.push_back(straight(column(all, made.columns, sheath.carrier),
-                                     height(all, made.heights, sheath.carrier),
-                                     made.heights.level[sheath.level]));
-  }
-  return found;
+  return count;
 }
 
-// Little: few crossings, first of all; then short level stretches, and a narrow drawing.
-double cost(const Fittings& all, const Arrangement& made) {
-  const Straights found = straights(all, made);
-  double cost = made.columns.right / 4 + made.heights.bottom / 4;
-  for (const Straight& level : found.level) {
-    cost += level.to - level.from;
-    for (const Straight& upright : found.upright) {
-      const bool cross = upright.at > level.from + 1 && upright.at < level.to - 1 &&
-                         level.at > upright.from + 1 && level.at < upright.to - 1;
-      if (cross) cost += cost_of_crossing;
-    }
-  }
-  return cost;
-}
-
-// Limit in pairs of ports evaluated: some seconds.
-constexpr std::size_t most_work = 10'000'000;
+// Limit in pairs of ports evaluated: about half a second.
+constexpr std::size_t most_work = 100'000'000;
 
 class Arranging {
  public:
@@ -89,17 +54,13 @@ class Arranging {
   Arrangement run() {
     order_ = first_order();
     for (std::size_t i = 0; i < all_.fittings.size(); ++i) untwist(i);
-    best_ = attempt();
-    if (std::isinf(best_)) {
+    if (!keep_if_better()) {
       put_outside();
-      best_ = attempt();
+      keep_if_better();
     }
-    for (bool improved = true; improved;) {
-      improved = swap_neighbours();
-      if (best_ > cost_of_crossing) improved = move_far() || improved;
-      improved = rearrange_ports() || improved;
-    }
-    attempt();
+    improve(infinity);
+    only_crossings_ = false;
+    improve(1);
     return std::move(made_);
   }
 
@@ -133,8 +94,7 @@ class Arranging {
   double mean_of_neighbours(std::size_t fitting, const std::vector<double>& place) const {
     double sum = 0;
     double count = 0;
-    for_each_neighbour(fitting, [&](std::size_t port, std::size_t other) {
-      static_cast<void>(port);
+    for_each_neighbour(fitting, [&](std::size_t, std::size_t other) {
       const std::size_t of = all_.ports[other].fitting;
       if (of == fitting) return;
       sum += place[of] + 1e-3 * all_.ports[other].offset;
@@ -205,17 +165,6 @@ class Arranging {
     return ranks;
   }
 
-  // Lays everything out; infinite if it does not go.
-  double attempt() {
-    const Ranks rank = ranks();
-    made_.lanes = lanes(all_, rank);
-    made_.heights = heights(net_, all_, made_.lanes);
-    const std::optional<Columns> found = columns(net_, all_, made_.lanes, made_.heights, rank);
-    if (!found) return std::numeric_limits<double>::infinity();
-    made_.columns = *found;
-    return cost(all_, made_);
-  }
-
   // Moves all fittings out from between the strands of a finger.
   void put_outside() {
     for (std::size_t i = 0; i < all_.fittings.size(); ++i) {
@@ -227,47 +176,62 @@ class Arranging {
     }
   }
 
-  // No drawing takes long: one of very many parts is taken as it is after some tries.
+  // Returns what an arrangement has to cost less than. At first only fewer crossings count.
+  double limit() const {
+    return only_crossings_ ? cost_of_crossing * std::floor(best_ / cost_of_crossing) : best_;
+  }
+
+  // Lays out only what may be better: how much an arrangement costs at least is known from the last
+  // time that it was tried, or from its crossings. No drawing takes long: one of very many parts is
+  // taken as it is after some tries.
   bool keep_if_better() {
-    if (work_ > most_work) return false;
+    double& least = known_[orders()];
+    if (least >= limit() || work_ > most_work) return false;
     work_ += all_.ports.size() * all_.ports.size();
-    const double now = attempt();
-    if (!(now < best_ - 1e-6)) return false;
-    best_ = now;
+    Arrangement made;
+    const Ranks rank = ranks();
+    made.lanes = lanes(all_, rank);
+    made.heights = heights(net_, all_, made.lanes);
+    std::vector<Strip> cut = strips(net_, all_, made.lanes, made.heights, rank);
+    const std::size_t count = crossings(made, cut, rank);
+    least = cost_of_crossing * static_cast<double>(count) + made.heights.bottom / 4;
+    if (least >= limit()) return false;
+    std::optional<Columns> found = columns(all_, made.lanes, std::move(cut), best_ - least);
+    least = found ? least + found->cost : infinity;
+    if (!found) return false;
+    best_ = least;
+    made.columns = std::move(*found);
+    made_ = std::move(made);
     return true;
   }
 
-  bool both_fingers(std::size_t a, std::size_t b) const {
-    return all_.fittings[a].kind == FittingKind::finger &&
-           all_.fittings[b].kind == FittingKind::finger;
-  }
-
-  bool swap_neighbours() {
-    bool improved = false;
-    for (std::size_t i = 1; i < order_.size(); ++i) {
-      if (both_fingers(order_[i - 1], order_[i])) continue;
-      const PortOrder before = order_;
-      std::swap(order_[i - 1], order_[i]);
-      if (keep_if_better()) {
-        improved = true;
-      } else {
-        order_ = before;
-      }
+  // Returns all that is searched over.
+  PortOrder orders() const {
+    PortOrder orders = order_;
+    for (const Fitting& fitting : all_.fittings) {
+      orders.insert(orders.end(), fitting.ports.begin(), fitting.ports.end());
     }
-    return improved;
+    return orders;
   }
 
-  // One fitting to another place.
-  bool move_far() {
+  void improve(double reach) {
+    for (bool improved = true; improved && limit() > 0;) {
+      improved = rearrange_ports();
+      improved = move(reach) || improved;
+    }
+  }
+
+  // Moves one fitting to another place.
+  bool move(double reach) {
     bool improved = false;
     for (std::size_t i = 0; i < all_.fittings.size(); ++i) {
       if (!is_free(i)) continue;
       for (std::size_t to = 0; to < order_.size(); ++to) {
+        if (std::abs(place_in_order(i) - static_cast<double>(to)) > reach) continue;
         const PortOrder before = order_;
-        order_.erase(std::find(order_.begin(), order_.end(), i));
+        std::erase(order_, i);
         order_.insert(order_.begin() + static_cast<std::ptrdiff_t>(to), i);
-        if (order_ == before) continue;
-        if (keep_if_better()) {
+        if (keep_moved_if_better(i)) {
           improved = true;
         } else {
           order_ = before;
@@ -277,11 +241,20 @@ class Arranging {
     return improved;
   }
 
+  // Tries it as it is, mirrored, or with a pass turned over that one of its lines leads to.
+  bool keep_moved_if_better(std::size_t fitting) {
+    bool kept =
+        keep_if_better() || keep_ports_if_better(fitting, reversed(all_.fittings[fitting].ports));
+    for_each_neighbour(fitting, [&](std::size_t, std::size_t other) {
+      kept = kept || keep_ports_if_better(all_.ports[other].fitting, turned_over(other));
+    });
+    return kept;
+  }
+
   // A fitting mirrored as a whole, one pass of it alone, or two neighbours on it exchanged.
   bool rearrange_ports() {
     bool improved = false;
     for (std::size_t i = 0; i < all_.fittings.size(); ++i) {
-      if (!can_mirror(i)) continue;
       const std::size_t count = all_.fittings[i].ports.size();
       improved = keep_ports_if_better(i, reversed(all_.fittings[i].ports)) || improved;
       for (std::size_t at = 0; at + 1 < count; ++at) {
@@ -293,11 +266,21 @@ class Arranging {
 
   bool keep_ports_if_better(std::size_t fitting, const PortOrder& ports) {
     const PortOrder before = all_.fittings[fitting].ports;
-    if (ports == before) return false;
+    if (!can_mirror(fitting) || ports == before) return false;
     reorder(fitting, ports);
     if (keep_if_better()) return true;
     reorder(fitting, before);
     return false;
+  }
+
+  // Exchanges the legs of a pass.
+  PortOrder turned_over(std::size_t leg) const {
+    PortOrder ports = all_.of(leg).ports;
+    const std::size_t twin = all_.ports[leg].twin;
+    if (twin == nowhere) return ports;
+    std::iter_swap(std::find(ports.begin(), ports.end(), leg),
+                   std::find(ports.begin(), ports.end(), twin));
+    return ports;
   }
 
   // Within a pass its two legs, otherwise what stands there and the next, both legs of a pass as
@@ -309,10 +292,7 @@ class Arranging {
       return role == PortRole::turn || role == PortRole::arm ? 2 : 1;
     };
     const auto begin = ports.begin() + static_cast<std::ptrdiff_t>(at);
-    if (all_.ports[*begin].twin == *(begin + 1)) {
-      std::iter_swap(begin, begin + 1);
-      return ports;
-    }
+    if (all_.ports[*begin].twin == *(begin + 1)) return turned_over(*begin);
     const auto first = begin + 1 - legs(*begin);
     std::rotate(first, begin + 1, begin + 1 + legs(*(begin + 1)));
     return ports;
@@ -322,7 +302,9 @@ class Arranging {
   Fittings& all_;
   PortOrder order_;
   Arrangement made_;
-  double best_ = 0;
+  double best_ = infinity;
+  bool only_crossings_ = true;
+  std::map<PortOrder, double> known_;  // least cost
   std::size_t work_ = 0;
 };
 

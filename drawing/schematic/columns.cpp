@@ -1,15 +1,14 @@
 #include "drawing/schematic/columns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "drawing/schematic/schematic_measures.hpp"
+
 namespace reeve::drawing {
 namespace {
-
-constexpr double far = 1e9;
-constexpr double no_distance = -2 * far;
-constexpr double rounding = 1e-6;
 
 bool keep_apart(const Strip& a, const Strip& b) {
   if (a.fitting == b.fitting || a.rank == b.rank) return false;
@@ -18,14 +17,126 @@ bool keep_apart(const Strip& a, const Strip& b) {
   return a.segment == nowhere || a.segment != b.segment || a.rises == b.rises;
 }
 
-struct Distance {
+// Asks for x_right ≥ x_left + least; each pixel that is missing costs `strength`.
+struct Demand {
   std::size_t left = 0;
   std::size_t right = 0;
   double least = 0;
+  double strength = 0;
 };
 
-std::vector<Distance> distances(std::size_t size, const std::vector<Strip>& strips) {
-  std::vector<double> least(size * size, no_distance);
+// Places at which all demands together cost the least.
+//
+// Demands around a circle whose lengths sum to more than 0 contradict each other. Whatever the
+// places, they cost at least that sum times the strength of the weakest. So this is paid, each of
+// them loses the strength of the weakest, and the demand opposite to it gains it. Once no circle
+// contradicts itself, places that meet all that is left cost what was paid, and none cost less.
+// (Strengths lost are a flow, the dual of this linear programme; this is its cycle cancelling.)
+// Lengths are whole numbers, so that places are, too.
+class Spacing {
+ public:
+  explicit Spacing(std::size_t size) : x_(size, 0), pushed_by_(size) {}
+
+  // The opposite one asks for x_right ≤ x_left + least.
+  void add(const Demand& demand, double opposite) {
+    demands_.push_back(demand);
+    demands_.push_back({demand.right, demand.left, -demand.least, opposite});
+  }
+
+  // Returns false if they cost `limit` or more.
+  bool solve(double limit) {
+    while (cost_ < limit) {
+      const std::size_t at = contradiction();
+      if (at == nowhere) return true;
+      give_way(at);
+    }
+    return false;
+  }
+
+  double cost() const { return cost_; }
+
+  // Returns the leftmost of the best places, as seen from a fitting at 0, and the rightmost.
+  std::array<std::vector<double>, 2> best(std::size_t from) const {
+    Spacing mirrored = *this;
+    for (Demand& demand : mirrored.demands_) std::swap(demand.left, demand.right);
+    std::vector<double> rightmost = mirrored.leftmost(from);
+    for (double& x : rightmost) x = -x;
+    return {leftmost(from), std::move(rightmost)};
+  }
+
+ private:
+  std::vector<double> leftmost(std::size_t from) const {
+    Spacing pushed = *this;
+    std::fill(pushed.x_.begin(), pushed.x_.end(), -infinity);
+    pushed.x_[from] = 0;
+    while (pushed.push()) continue;
+    return pushed.x_;
+  }
+
+  // Returns a fitting that demands around a circle push on and on; nowhere if all can be met.
+  std::size_t contradiction() {
+    std::fill(pushed_by_.begin(), pushed_by_.end(), nowhere);
+    std::size_t at = nowhere;
+    while (at == nowhere && push()) at = on_circle();
+    return at;
+  }
+
+  // Moves rightward what each demand asks for, in turn; returns false if all are met.
+  bool push() {
+    bool moved = false;
+    for (std::size_t i = 0; i < demands_.size(); ++i) {
+      const Demand& demand = demands_[i];
+      const double least = x_[demand.left] + demand.least;
+      if (demand.strength == 0 || x_[demand.right] >= least) continue;
+      x_[demand.right] = least;
+      pushed_by_[demand.right] = i;
+      moved = true;
+    }
+    return moved;
+  }
+
+  std::size_t on_circle() const {
+    std::vector<std::size_t> seen_from(x_.size(), nowhere);
+    for (std::size_t first = 0; first < x_.size(); ++first) {
+      std::size_t at = first;
+      while (seen_from[at] == nowhere && pushed_by_[at] != nowhere) {
+        seen_from[at] = first;
+        at = demands_[pushed_by_[at]].left;
+      }
+      if (seen_from[at] == first && pushed_by_[at] != nowhere) return at;
+    }
+    return nowhere;
+  }
+
+  void give_way(std::size_t first) {
+    double sum = 0;
+    double weakest = infinity;
+    const auto around = [&](auto visit) {
+      std::size_t at = first;
+      do {
+        visit(pushed_by_[at]);
+        at = demands_[pushed_by_[at]].left;
+      } while (at != first);
+    };
+    around([&](std::size_t i) {
+      sum += demands_[i].least;
+      weakest = std::min(weakest, demands_[i].strength);
+    });
+    around([&](std::size_t i) {
+      demands_[i].strength -= weakest;
+      demands_[i ^ 1U].strength += weakest;
+    });
+    cost_ += weakest * sum;
+  }
+
+  std::vector<double> x_;
+  std::vector<std::size_t> pushed_by_;  // the last demand that moved a fitting
+  std::vector<Demand> demands_;         // each followed by the one opposite to it
+  double cost_ = 0;
+};
+
+void keep_distances(const std::vector<Strip>& strips, std::size_t size, Spacing& spacing) {
+  std::vector<double> least(size * size, -infinity);
   for (const Strip& a : strips) {
     for (const Strip& b : strips) {
       if (!(a.rank < b.rank) || !keep_apart(a, b)) continue;
@@ -33,210 +144,50 @@ std::vector<Distance> distances(std::size_t size, const std::vector<Strip>& stri
       at = std::max(at, std::ceil(a.right - b.left));
     }
   }
-  std::vector<Distance> found;
-  for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t j = 0; j < size; ++j) {
-      if (least[i * size + j] > no_distance) found.push_back({i, j, least[i * size + j]});
-    }
+  for (std::size_t i = 0; i < least.size(); ++i) {
+    if (least[i] > -infinity) spacing.add({i / size, i % size, least[i], infinity}, 0);
   }
-  return found;
 }
 
-// Wished place of a fitting.
-struct Wish {
-  std::size_t other = 0;
-  double ahead = 0;      // distance from the other's middle
-  bool straight = true;  // otherwise the line turns back anyhow
-};
-
-class Spacing {
- public:
-  Spacing(const Fittings& all, const Lanes& lanes, const std::vector<Strip>& strips)
-      : all_(all),
-        x_(all.fittings.size(), 0),
-        distances_(distances(x_.size(), strips)),
-        wishes_(x_.size()) {
-    for (const LaneStretch& stretch : lanes.stretches) add_wishes(stretch);
-    for (std::vector<Wish>& wishes : wishes_) keep_straight_ones(wishes);
+// Removes a step that is too small for two rounded corners in all of the best places, if that
+// costs as little.
+void straighten(const Demand& line, std::size_t from, Spacing& spacing) {
+  constexpr double small = 2 * measures::bend;
+  double step = 0;
+  for (const std::vector<double>& x : spacing.best(from)) {
+    step = std::max(step, std::abs(x[line.right] - x[line.left] - line.least));
   }
-
-  bool solve() {
-    if (!push()) return false;
-    constexpr int rounds = 30;
-    for (int round = 0; round < rounds; ++round) {
-      for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = wished(i);
-      for (int sweep = 0; sweep < rounds; ++sweep) {
-        if (!share()) break;
-      }
-    }
-    if (!push()) return false;
-    for (int round = 0; round < rounds; ++round) {
-      if (!settle()) break;
-    }
-    for (double& x : x_) x = std::floor(x + 0.5);
-    straighten();
-    return true;
-  }
-
-  const std::vector<double>& middles() const { return x_; }
-
- private:
-  void add_wishes(const LaneStretch& stretch) {
-    const ColumnOf one = column_of(all_, stretch.port[0]);
-    const ColumnOf other = column_of(all_, stretch.port[1]);
-    const bool straight = stretch.rises[0] != stretch.rises[1];
-    const auto add = [&](const ColumnOf& of, const ColumnOf& to) {
-      const bool up_from_carriage = all_.fittings[to.fitting].kind == FittingKind::pulley;
-      if (of.fitting == to.fitting || up_from_carriage) return;
-      wishes_[of.fitting].push_back({to.fitting, to.offset - of.offset, straight});
-    };
-    add(one, other);
-    add(other, one);
-  }
-
-  // Lines that turn back anyhow only count if there are no others.
-  static void keep_straight_ones(std::vector<Wish>& wishes) {
-    const auto straight = [](const Wish& wish) { return wish.straight; };
-    if (std::none_of(wishes.begin(), wishes.end(), straight)) return;
-    std::erase_if(wishes, [&](const Wish& wish) { return !straight(wish); });
-  }
-
-  // The median; between the two middle ones, if their number is even.
-  double wished(std::size_t fitting) {
-    if (wishes_[fitting].empty()) return x_[fitting];
-    places_.clear();
-    for (const Wish& wish : wishes_[fitting]) places_.push_back(x_[wish.other] + wish.ahead);
-    std::sort(places_.begin(), places_.end());
-    const std::size_t half = places_.size() / 2;
-    return places_.size() % 2 == 1 ? places_[half] : (places_[half - 1] + places_[half]) / 2;
-  }
-
-  // Rightward until all distances are kept; false if that has no end.
-  bool push() {
-    for (std::size_t round = 0; round <= x_.size(); ++round) {
-      bool moved = false;
-      for (const Distance& distance : distances_) {
-        const double least = x_[distance.left] + distance.least;
-        if (x_[distance.right] >= least - rounding) continue;
-        x_[distance.right] = least;
-        moved = true;
-      }
-      if (!moved) return true;
-    }
-    return false;
-  }
-
-  // Each of two that are too close gives way by half; false if none are.
-  bool share() {
-    bool moved = false;
-    for (const Distance& distance : distances_) {
-      const double lacking = x_[distance.left] + distance.least - x_[distance.right];
-      if (lacking <= rounding) continue;
-      x_[distance.left] -= lacking / 2;
-      x_[distance.right] += lacking / 2;
-      moved = true;
-    }
-    return moved;
-  }
-
-  struct Room {
-    double low = -far;
-    double high = far;
-  };
-
-  Room room(std::size_t fitting) const {
-    Room room;
-    for (const Distance& distance : distances_) {
-      if (distance.right == fitting) {
-        room.low = std::max(room.low, x_[distance.left] + distance.least);
-      }
-      if (distance.left == fitting) {
-        room.high = std::min(room.high, x_[distance.right] - distance.least);
-      }
-    }
-    return room;
-  }
-
-  // Moves each fitting as far towards its wish as the others leave room. A finger without wishes
-  // goes next to the others. False if nothing moves.
-  bool settle() {
-    bool moved = false;
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      const auto [low, high] = room(i);
-      if (low > high) continue;
-      double wish = wished(i);
-      if (wishes_[i].empty() && all_.fittings[i].kind == FittingKind::finger) {
-        wish = low > -far ? low : high < far ? high : wish;
-      }
-      const double to = std::clamp(wish, low, high);
-      moved = moved || std::abs(to - x_[i]) > rounding;
-      x_[i] = to;
-    }
-    return moved;
-  }
-
-  // Removes small steps in lines that run on: moves everything right of a step by its length, if
-  // fewer steps remain.
-  void straighten() {
-    constexpr double small = 16;
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      for (const Wish& wish : wishes_[i]) {
-        const double step = x_[wish.other] + wish.ahead - x_[i];
-        if (wish.straight && step != 0 && std::abs(step) <= small) move_rest(i, step);
-      }
-    }
-  }
-
-  void move_rest(std::size_t first, double step) {
-    const std::vector<double> before = x_;
-    const double cost = steps();
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      if (before[i] >= before[first]) x_[i] += step;
-    }
-    const bool kept =
-        std::all_of(distances_.begin(), distances_.end(), [&](const Distance& distance) {
-          return x_[distance.right] >= x_[distance.left] + distance.least - rounding;
-        });
-    if (!kept || steps() >= cost) x_ = before;
-  }
-
-  // Their lengths, and something for each.
-  double steps() const {
-    constexpr double of_each = 24;
-    double sum = 0;
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      for (const Wish& wish : wishes_[i]) {
-        const double step = std::abs(x_[wish.other] + wish.ahead - x_[i]);
-        if (wish.straight && step > rounding) sum += step + of_each;
-      }
-    }
-    return sum;
-  }
-
-  const Fittings& all_;
-  std::vector<double> x_;
-  std::vector<Distance> distances_;
-  std::vector<std::vector<Wish>> wishes_;
-  std::vector<double> places_;
-};
+  if (step == 0 || step > small) return;
+  Spacing straight = spacing;
+  straight.add({line.left, line.right, line.least, infinity}, infinity);
+  if (straight.solve(spacing.cost() + small)) spacing = std::move(straight);
+}
 
 }  // namespace
 
-std::optional<Columns> columns(const Network& network, const Fittings& all, const Lanes& lanes,
-                               const Heights& heights, const Ranks& ranks) {
-  const std::vector<Strip> cut = strips(network, all, lanes, heights, ranks);
-  Spacing spacing(all, lanes, cut);
-  if (!spacing.solve()) return std::nullopt;
-  Columns found{spacing.middles()};
-  double left = far;
-  double right = -far;
-  for (const Strip& strip : cut) {
-    left = std::min(left, found.middle[strip.fitting] + strip.left);
-    right = std::max(right, found.middle[strip.fitting] + strip.right);
+std::optional<Columns> columns(const Fittings& all, const Lanes& lanes, std::vector<Strip> strips,
+                               double limit) {
+  const std::size_t left = all.fittings.size();
+  const std::size_t right = left + 1;
+  strips.push_back({left, -infinity, 0, 0, -infinity, infinity});
+  strips.push_back({right, infinity, 0, 0, -infinity, infinity});
+  Spacing spacing(right + 1);
+  keep_distances(strips, right + 1, spacing);
+  spacing.add({right, left, 0, 0.25}, 0);
+  std::vector<Demand> lines;
+  for (const LaneStretch& stretch : lanes.stretches) {
+    const ColumnOf one = column_of(all, stretch.port[0]);
+    const ColumnOf other = column_of(all, stretch.port[1]);
+    lines.push_back({one.fitting, other.fitting, one.offset - other.offset, 1});
+    spacing.add(lines.back(), lines.back().strength);
   }
-  for (double& x : found.middle) x -= left;
-  found.right = right - left;
-  return found;
+  if (!spacing.solve(limit)) return std::nullopt;
+  const double cost = spacing.cost();
+  for (const Demand& line : lines) straighten(line, left, spacing);
+  // Halfway lines lie as evenly as they can; rounded down, these places are among the best, too.
+  auto [middle, rightmost] = spacing.best(left);
+  for (std::size_t i = 0; i <= right; ++i) middle[i] = std::floor((middle[i] + rightmost[i]) / 2);
+  return Columns{middle, middle[right], cost};
 }
 
 double column(const Fittings& all, const Columns& columns, std::size_t port) {

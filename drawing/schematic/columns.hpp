@@ -1,16 +1,19 @@
 // Horizontal places of fittings in levels.
 //
 // Parts at the same height keep their order and some distance: x_j ≥ x_i + d_ij for every two
-// fittings i, j. Within that, each fitting goes where its lines run straight: to the median of the
-// places that would let one of them do so.
+// fittings i, j. Within that, level stretches and the width of the drawing cost as little as they
+// can together: a linear programme, solved exactly. Small steps of lines are then straightened.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "drawing/schematic/levels.hpp"
 
 namespace reeve::drawing {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Keeps other parts away: an upright strip at a place of its fitting, over a range of heights.
 struct Strip {
@@ -34,15 +37,19 @@ struct ColumnOf {
 };
 ColumnOf column_of(const Fittings& all, std::size_t port);
 
-// The middle of every fitting, the least x of all that is drawn being 0; nothing if the ranks ask
-// for more room between the strands of a finger than there is.
+// The middle of every fitting, the least x of all that is drawn being 0.
 struct Columns {
   std::vector<double> middle;
   double right = 0;
+  // Lengths of all level stretches and a quarter of the width, before small steps were
+  // straightened.
+  double cost = 0;
 };
 
-std::optional<Columns> columns(const Network& network, const Fittings& all, const Lanes& lanes,
-                               const Heights& heights, const Ranks& ranks);
+// Returns nothing if they cost `limit` or more, or if the ranks ask for more room between the
+// strands of a finger than there is.
+std::optional<Columns> columns(const Fittings& all, const Lanes& lanes, std::vector<Strip> strips,
+                               double limit);
 
 // The x of a port; of what hangs straight below another port, that one's.
 double column(const Fittings& all, const Columns& columns, std::size_t port);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 
 #include "drawing/schematic/columns.hpp"
 #include "drawing/schematic/schematic_measures.hpp"
@@ -44,8 +43,8 @@ class Cutting {
     if (fitting.ports.empty() || fitting.kind == FittingKind::bend) return;
     if (fitting.kind == FittingKind::finger) {
       constexpr double half = pitch / 2 + flesh + 8;
-      strips_.push_back({i, ranks_[fitting.ports.front()], -half, half,
-                         -std::numeric_limits<double>::infinity(), heights_.level[0]});
+      strips_.push_back(
+          {i, ranks_[fitting.ports.front()], -half, half, -infinity, heights_.level[0]});
       return;
     }
     double left = 0;
