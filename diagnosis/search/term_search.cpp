@@ -294,7 +294,7 @@ class Searching {
         add({term, {term.values}, price_of_name(), &view});
       }
       for (ScreenedLaw& law :
-           screened.laws.best(view.problem, at, projection, left, effort_.laws)) {
+           best_laws(screened.laws, view.problem, at, projection, left, effort_.laws)) {
         const std::vector<double> values = law.effect.values;
         add({std::move(law.effect), {values}, law.price, &view});
       }
@@ -603,7 +603,7 @@ std::optional<Explanation> TermSearch::run(const std::function<bool(const char*)
     if (step >= screened_.size() && screened_.size() < screened_.capacity()) {
       const Forecast at = forecast(dataset_, model);
       screened_.push_back({CauseScreening(dataset_, model, at, causes_, workers_),
-                           LawScreening(dataset_, model, at, workers_)});
+                           law_table(dataset_, model, at, workers_)});
     }
     return screened_[std::min(step, screened_.size() - 1)];
   };

@@ -77,7 +77,7 @@ struct Explanation {
 // of the readings are searched with the same columns.
 struct Screened {
   CauseScreening causes;
-  LawScreening laws;
+  LawTable laws;
 };
 
 // The explanation of readings that are too few to look for anything.
