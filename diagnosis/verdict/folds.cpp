@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "causes/term.hpp"
+#include "diagnosis/search/defence.hpp"
 
 namespace reeve::diagnosis {
 namespace {
