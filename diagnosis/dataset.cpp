@@ -107,6 +107,27 @@ double Dataset::degrees_of_freedom() const {
   return static_cast<double>(cells.size()) - static_cast<double>(free);
 }
 
+std::vector<std::ptrdiff_t> rows_of_part(const Dataset& all, const Dataset& part) {
+  std::vector<std::ptrdiff_t> result;
+  auto from = all.rows.begin();
+  for (const DatasetRow& row : part.rows) {
+    while (from->reading != row.reading) ++from;  // both in the order of the readings
+    result.push_back(from - all.rows.begin());
+  }
+  return result;
+}
+
+std::vector<std::ptrdiff_t> cells_of_part(const Dataset& all, const Dataset& part) {
+  std::vector<std::ptrdiff_t> result;
+  for (const std::ptrdiff_t r : rows_of_part(all, part)) {
+    const DatasetRow& row = all.rows[static_cast<std::size_t>(r)];
+    for (std::size_t i = row.first; i < row.last; ++i) {
+      result.push_back(static_cast<std::ptrdiff_t>(i));
+    }
+  }
+  return result;
+}
+
 Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readings, Rows rows) {
   using Key = std::tuple<std::size_t, std::uint64_t, Direction, std::optional<double>>;
   Dataset result;

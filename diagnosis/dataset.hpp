@@ -54,6 +54,10 @@ enum class Rows { that_say_something, all };
 Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readings,
                 Rows rows = Rows::that_say_something);
 
+// Return the index of each row and cell of a part among all. A part has all cells of its readings.
+std::vector<std::ptrdiff_t> rows_of_part(const Dataset& all, const Dataset& part);
+std::vector<std::ptrdiff_t> cells_of_part(const Dataset& all, const Dataset& part);
+
 // The middle load of the readings over that which ranges in newton are written for (range_load_N):
 // motor tensions, or where there are none the sums of the readings.
 double force_scale(const MeasuredData& data);

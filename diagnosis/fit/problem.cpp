@@ -196,32 +196,16 @@ void share_scatter(Problem& problem, const MountingModes& modes, const MountedSc
 }
 
 Problem part_of(const Problem& whole, const Dataset& dataset) {
-  // index of the cell by reading and channel
-  std::map<std::pair<std::size_t, std::size_t>, Index> place;
-  for (std::size_t k = 0; k < dataset.cells.size(); ++k) {
-    place[{dataset.cells[k].reading, dataset.cells[k].channel}] = static_cast<Index>(k);
-  }
-  Problem part = problem(dataset, Eigen::VectorXd(static_cast<Index>(dataset.cells.size())));
-  std::vector<std::optional<Index>> places;  // parallel to the cells of the whole
-  for (std::size_t k = 0; k < whole.dataset->cells.size(); ++k) {
-    const Cell& cell = whole.dataset->cells[k];
-    const auto found = place.find({cell.reading, cell.channel});
-    places.push_back(found == place.end() ? std::nullopt : std::optional(found->second));
-    if (places[k]) part.deviation_N[*places[k]] = whole.deviation_N[static_cast<Index>(k)];
-  }
+  const std::vector<Index> cells = cells_of_part(*whole.dataset, dataset);
+  Problem part = problem(dataset, whole.deviation_N(cells));
   if (whole.motor_deviation_N.size() > 0) {
-    std::map<std::size_t, double> deviation_N;  // by reading
-    for (std::size_t r = 0; r < whole.dataset->rows.size(); ++r) {
-      deviation_N[whole.dataset->rows[r].reading] = whole.motor_deviation_N[static_cast<Index>(r)];
-    }
-    part.motor_deviation_N.resize(static_cast<Index>(dataset.rows.size()));
-    for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
-      part.motor_deviation_N[static_cast<Index>(r)] = deviation_N.at(dataset.rows[r].reading);
-    }
+    part.motor_deviation_N = whole.motor_deviation_N(rows_of_part(*whole.dataset, dataset));
   }
+  std::map<Index, Index> place;  // index in the part, by that in the whole
+  for (std::size_t k = 0; k < cells.size(); ++k) place[cells[k]] = static_cast<Index>(k);
   for (SharedScatter shared : whole.shared) {
-    if (!places[static_cast<std::size_t>(shared.cells.front())]) continue;
-    for (Index& cell : shared.cells) cell = *places[static_cast<std::size_t>(cell)];
+    if (!place.contains(shared.cells.front())) continue;
+    for (Index& cell : shared.cells) cell = place.at(cell);
     part.shared.push_back(std::move(shared));
   }
   return part;

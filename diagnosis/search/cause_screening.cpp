@@ -40,11 +40,7 @@ double gain_from_misfits(double before, double after, double degrees_of_freedom)
 
 CauseScreening::CauseScreening(const Dataset& dataset, const Model& model, const Forecast& at,
                                const std::vector<Candidate>& candidates, Workers& workers)
-    : candidates_(candidates) {
-  for (const DatasetRow& row : dataset.rows) {
-    reading_of_row_.push_back(row.reading);
-    first_cell_.push_back(row.first);
-  }
+    : all_(dataset), candidates_(candidates) {
   for (std::size_t c = 0; c < candidates.size(); ++c) {
     for (const std::vector<double>& values : shapes(candidates[c])) probes_.push_back({c, values});
   }
@@ -89,17 +85,8 @@ void CauseScreening::add_starts(const Probe& probe, double size, ScreenedCause& 
 std::vector<ScreenedCause> CauseScreening::run(const Problem& problem, const Forecast& at,
                                                const Projection& projection,
                                                const VectorXd& residuals) const {
-  std::map<std::size_t, std::size_t> place;
-  for (std::size_t r = 0; r < reading_of_row_.size(); ++r) place[reading_of_row_[r]] = r;
-  MatrixXd columns(residuals.size(), columns_N_.cols());
-  for (const DatasetRow& row : problem.dataset->rows) {
-    const auto first = static_cast<Index>(first_cell_[place.at(row.reading)]);
-    for (std::size_t i = row.first; i < row.last; ++i) {
-      const auto cell = static_cast<Index>(i);
-      columns.row(cell) =
-          columns_N_.row(first + static_cast<Index>(i - row.first)) / problem.deviation_N[cell];
-    }
-  }
+  MatrixXd columns = columns_N_(cells_of_part(all_, *problem.dataset), Eigen::all);
+  columns.array().colwise() /= problem.deviation_N.array();
   take_out_scales(problem, at, columns);
   whiten(problem.shared, columns);
   projection.take_out(columns);

@@ -32,8 +32,8 @@ struct ScreenedCause {
 
 class CauseScreening {
  public:
-  // Columns of all readings; parts of them are screened by these, too. The candidates must outlive
-  // it.
+  // Columns of all readings; parts of them are screened by these, too. The dataset and the
+  // candidates must outlive it.
   CauseScreening(const Dataset& dataset, const Model& model, const Forecast& at,
                  const std::vector<Candidate>& candidates, Workers& workers);
 
@@ -53,11 +53,10 @@ class CauseScreening {
   double raw_gain(const Probe& probe, double along, double square) const;
   void add_starts(const Probe& probe, double size, ScreenedCause& to) const;
 
+  const Dataset& all_;
   const std::vector<Candidate>& candidates_;
   std::vector<Probe> probes_;
   Eigen::MatrixXd columns_N_;
-  std::vector<std::size_t> reading_of_row_;
-  std::vector<std::size_t> first_cell_;  // index of each row's first cell
 };
 
 }  // namespace reeve::diagnosis

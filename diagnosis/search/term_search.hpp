@@ -1,44 +1,22 @@
 // The likeliest model of some readings: coefficients calibrated, then terms accepted one by one.
 //
 // A step screens every cause of the library and every law of the grammar to first order, fits the
-// most promising in full, and accepts the one with the greatest evidence
-//
-//   E = ln likelihood (evidence.hpp) − sum over its terms of the price and ln(n)/2 per parameter
-//
-// if that is at least 3 nats above the model without it. Afterwards each accepted term has to
-// defend its place: against others (one with more evidence takes it), and against nothing.
-// Alternatives to a term with hardly less evidence share its probability, p_i ~ e^{E_i}. The
-// coefficients that are free in every model (calibration.hpp) are fitted again each time.
+// most promising in full (rival_terms.hpp), and accepts the one with the greatest evidence
+// (searched_model.hpp) if that is at least 3 nats above the model without it. Afterwards each
+// accepted term has to defend its place (defence.hpp). The coefficients that are free in every
+// model (calibration.hpp) are fitted again each time.
 #pragma once
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "diagnosis/fit/evidence.hpp"
 #include "diagnosis/search/calibration.hpp"
 #include "diagnosis/search/candidates.hpp"
-#include "diagnosis/search/cause_screening.hpp"
-#include "diagnosis/search/law_screening.hpp"
+#include "diagnosis/search/rival_terms.hpp"
+#include "diagnosis/search/searched_model.hpp"
 
 namespace reeve::diagnosis {
-
-struct Alternative {
-  std::string name;
-  Model model;
-  double deficit = 0;  // difference of evidence
-};
-
-struct AcceptedTerm {
-  Effect effect;
-  double price = 0;
-  std::size_t parameters = 0;  // a zero crossing that its term holds among them
-  double evidence = 0;         // above the model without it
-  double probability = 1;      // among its alternatives
-  std::vector<Alternative> alternatives;
-  std::optional<double> folds;  // share of those in which it holds (verdict/folds.hpp)
-};
 
 struct TermSearchOptions {
   double alpha = 0.02;  // chance for coefficients that differ
@@ -46,10 +24,6 @@ struct TermSearchOptions {
   std::optional<double> mounting_scatter;
   std::vector<Effect> terms{};  // laws of the user's, at the price of a name of the library
 };
-
-// True if two laws share one site and covariate, whatever their form. A constant law shares every
-// covariate.
-bool is_kin(const Effect& a, const Effect& b);
 
 struct Explanation {
   ScatterShape shape;
@@ -71,13 +45,6 @@ struct Explanation {
 
   // How many independent differences between mountings the scatter is known from.
   double mounting_degrees() const;
-};
-
-// Columns of all terms that were screened, about the model after a number of accepted terms. Parts
-// of the readings are searched with the same columns.
-struct Screened {
-  CauseScreening causes;
-  LawScreening laws;
 };
 
 // The explanation of readings that are too few to look for anything.

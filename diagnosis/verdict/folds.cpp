@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "causes/term.hpp"
+#include "diagnosis/search/defence.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -92,19 +93,14 @@ Forecast joined(const std::vector<Fold>& folds, const Dataset& all, Forecast Fol
   Forecast result{Eigen::VectorXd::Zero(static_cast<Index>(all.cells.size())),
                   Eigen::VectorXd::Zero(static_cast<Index>(all.cells.size())),
                   std::vector<bool>(all.rows.size(), false)};
-  std::map<std::size_t, std::size_t> place;
-  for (std::size_t r = 0; r < all.rows.size(); ++r) place[all.rows[r].reading] = r;
   for (const Fold& fold : folds) {
     const Forecast& own = fold.*of;
-    for (std::size_t r = 0; r < fold.unseen.rows.size(); ++r) {
-      const DatasetRow& row = fold.unseen.rows[r];
-      const std::size_t to = place.at(row.reading);
-      const auto first = static_cast<Index>(all.rows[to].first);
-      const auto size = static_cast<Index>(row.last - row.first);
-      const auto from = static_cast<Index>(row.first);
-      result.reading_N.segment(first, size) = own.reading_N.segment(from, size);
-      result.by_scale.segment(first, size) = own.by_scale.segment(from, size);
-      result.jams[to] = own.jams[r];
+    const std::vector<Index> cells = cells_of_part(all, fold.unseen);
+    result.reading_N(cells) = own.reading_N;
+    result.by_scale(cells) = own.by_scale;
+    const std::vector<Index> rows = rows_of_part(all, fold.unseen);
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      result.jams[static_cast<std::size_t>(rows[r])] = own.jams[r];
     }
   }
   return result;

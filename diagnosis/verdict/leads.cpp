@@ -43,11 +43,11 @@ std::vector<Lead> leads(const Sample& sample, const Problem& problem, const Mode
   const Dataset& training = sample.training;
   const Forecast at = forecast(training, model);
   const Projection projection(problem, model, at);
-  const LawScreening screening(training, model, at, workers);
   std::vector<Lead> result;
   std::vector<Eigen::VectorXd> changes;  // parallel, of length 1
-  for (const ScreenedLaw& law : screening.best(
-           problem, at, projection, projection.taken_out(residuals(problem, at)), most_screened)) {
+  for (const ScreenedLaw& law :
+       best_laws(law_table(training, model, at, workers), problem, at, projection,
+                 projection.taken_out(residuals(problem, at)), most_screened)) {
     if (law.evidence < least_evidence) continue;
     const Effect screened = causes::with_crossing_held(law.effect);
     const auto there = try_forecast(training, extended(model, screened).model);

@@ -1,0 +1,97 @@
+#include "diagnosis/search/defence.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "causes/term.hpp"
+
+namespace reeve::diagnosis {
+namespace {
+
+// Takes the shortest of the forms of one law that are hardly less likely. Returns its evidence.
+double take_simplest(SearchedModel& search, const std::vector<Scored>& ways, std::size_t c,
+                     double evidence) {
+  const Effect own = search.accepted[c].effect;
+  const Scored* simplest = nullptr;
+  for (const Scored& way : ways) {
+    if (!(evidence - way.evidence < least_evidence)) break;
+    if (!is_kin(way.term.effect, own)) continue;
+    const AcceptedTerm& so_far = simplest == nullptr ? search.accepted[c] : simplest->term;
+    if (search.cost(way.term) < search.cost(so_far)) simplest = &way;
+  }
+  if (simplest == nullptr) return evidence;
+  search.accepted[c] = simplest->term;
+  search.settle(simplest->model);
+  return search.now.evidence;
+}
+
+// A cause of the library has precedence over a law that equals it.
+bool is_a_law_of_its_name(const SearchedModel& search, const Scored& way, const Effect& accepted) {
+  constexpr double same = 1;  // in units of the noise, of all readings together
+  if (term_of(*way.term.effect.cause) == nullptr || term_of(*accepted.cause) != nullptr) {
+    return false;
+  }
+  const Eigen::VectorXd apart_N = forecast(search.dataset, way.model).reading_N -
+                                  forecast(search.dataset, search.now.model).reading_N;
+  return apart_N.cwiseQuotient(search.now.likelihood.problem.deviation_N).norm() <= same;
+}
+
+}  // namespace
+
+bool is_kin(const Effect& a, const Effect& b) {
+  const Term* x = term_of(*a.cause);
+  const Term* y = term_of(*b.cause);
+  if (x == nullptr || y == nullptr || x->target != y->target) return false;
+  if (causes::site_name(x->site) != causes::site_name(y->site)) return false;
+  return x->form == Form::constant || y->form == Form::constant ||
+         (covariate_name(x->x) == covariate_name(y->x) &&
+          covariate_name(x->y) == covariate_name(y->y));
+}
+
+void drop_superfluous(SearchedModel& search) {
+  for (std::size_t c = 0; c < search.accepted.size();) {
+    Scored less = search.without_term(c);
+    if (search.now.evidence - less.evidence >= least_evidence) {
+      ++c;
+      continue;
+    }
+    search.accepted.erase(search.accepted.begin() + static_cast<std::ptrdiff_t>(c));
+    search.settle(std::move(less.model));
+    c = 0;
+  }
+}
+
+void defend(SearchedModel& search, const Vocabulary& words, std::size_t c) {
+  const Scored less = search.without_term(c);
+  const AcceptedTerm own = search.accepted[c];
+  const auto at = static_cast<std::ptrdiff_t>(c);
+  search.accepted.erase(search.accepted.begin() + at);
+  // Rivals are seen with the scatter that is left, as the accepted term is.
+  std::vector<Scored> ways =
+      ways_on(search, words, less, {search.now.likelihood}, search.accepted.size());
+  search.accepted.insert(search.accepted.begin() + at, own);
+  if (ways.empty()) return;
+  double evidence = search.now.evidence;
+  if (ways.front().evidence > evidence + clearly_likelier &&
+      !same_effect(ways.front().term.effect, own.effect)) {
+    search.accepted[c] = ways.front().term;
+    evidence = ways.front().evidence;
+    search.settle(ways.front().model);
+  }
+  evidence = take_simplest(search, ways, c, evidence);
+  AcceptedTerm& accepted = search.accepted[c];
+  double odds = 1;
+  for (Scored& way : ways) {
+    const double deficit = evidence - way.evidence;
+    if (!(deficit < least_evidence)) break;
+    if (same_effect(way.term.effect, accepted.effect) || is_kin(way.term.effect, accepted.effect) ||
+        is_a_law_of_its_name(search, way, accepted.effect)) {
+      continue;
+    }
+    odds += std::exp(-deficit);
+    accepted.alternatives.push_back({effect_name(way.term.effect), std::move(way.model), deficit});
+  }
+  accepted.probability = 1 / odds;
+}
+
+}  // namespace reeve::diagnosis

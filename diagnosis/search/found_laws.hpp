@@ -1,0 +1,74 @@
+// Laws that gain, and the price of their description. The evidence of a law is its gain less
+// ln(n)/2 for each of its parameters less its price, in nats: the logarithm of how many such sites
+// and covariates there are, and more for bent laws, for the place of a reading in the file, and for
+// what one run does by itself.
+#pragma once
+
+#include <compare>
+#include <vector>
+
+#include "causes/cause.hpp"
+#include "diagnosis/search/law_columns.hpp"
+
+namespace reeve::diagnosis {
+
+struct ScreenedLaw {
+  Effect effect;  // with values to start a fit from; a zero crossing of its own is free
+  double price = 0;
+  double evidence = 0;
+};
+
+// Laws of a lever that share it differ in their form alone.
+struct LawKind {
+  enum class What : std::uint8_t { constant, own, straight, bent, product };
+  What what = What::constant;
+  std::size_t x = 0, y = 0;  // covariates
+
+  auto operator<=>(const LawKind&) const = default;
+};
+
+// A law at a lever, of no size yet.
+struct LeverLaw {
+  std::size_t lever = 0;
+  LawKind kind;
+  Term term;
+  double price = 0;  // beside that of the lever
+};
+
+class FoundLaws {
+ public:
+  explicit FoundLaws(const LawColumns& columns);
+
+  // The law of the row at the lever: of its load, too, where it is a lever by load.
+  LeverLaw law(std::size_t lever, const RowLaw& of) const;
+  // The constant that one of so many runs or groups has by itself.
+  LeverLaw law_of_part(std::size_t lever, std::size_t parts, bool is_run) const;
+
+  // Keeps it if it is possible, and has evidence.
+  void keep(const LeverLaw& law, double gain, std::vector<double> values,
+            const std::vector<double>& crossing = {});
+  // Evidence of a bent law of this gain with two parameters.
+  double bent_evidence(std::size_t lever, std::size_t c, double gain) const;
+
+  // The most evident first, at most so many, of different levers or kinds. A law that follows
+  // something is followed by the same law without it.
+  std::vector<ScreenedLaw> best(std::size_t most) const;
+
+ private:
+  struct Found {
+    ScreenedLaw law;
+    std::size_t lever = 0;
+    LawKind kind;
+  };
+
+  double price(const Lever& lever) const;
+  double price_of_covariate() const;
+  double price_of(const Lever& lever, std::size_t c) const;
+
+  const LawColumns& columns_;
+  double parameter_price_;
+  std::array<double, 3> levers_of_breadth_{};
+  std::vector<Found> found_;
+};
+
+}  // namespace reeve::diagnosis

@@ -1,0 +1,31 @@
+// Families of laws, each screened at all levers.
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/search/found_laws.hpp"
+
+namespace reeve::diagnosis {
+
+// A lever and a covariate at which a parabola gains.
+struct Bend {
+  std::size_t lever = 0;
+  std::size_t covariate = 0;
+  double evidence = 0;  // of a bent law of that gain
+};
+
+// Screens constants, straight laws (linear, log) and products of two. Each is also screened with a
+// zero crossing of its own, by the columns beside it: a gain that is right at 5 V, whatever the
+// middle of the data. Returns where the covariate may bend.
+std::vector<Bend> screen_straight(const LawColumns& columns, FoundLaws& found);
+
+// Screens powers, exponentials, parabolas, hinges and steps at the most promising bends.
+void screen_bent(const LawColumns& columns, std::vector<Bend> bends, FoundLaws& found);
+
+// Screens sine and cosine of each period over each covariate.
+void screen_waves(const LawColumns& columns, FoundLaws& found);
+
+// Screens what one run or one group does by itself.
+void screen_parts(const LawColumns& columns, FoundLaws& found);
+
+}  // namespace reeve::diagnosis
