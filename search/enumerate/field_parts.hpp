@@ -14,7 +14,7 @@
 
 namespace reeve::search {
 
-// 1.4 million routings of four identical fingers and three blocks take 8 s of one core of a server
+// 1.4 million routings of four identical fingers and three blocks take 7 s of one core of a server
 // of 2023, all that is written included: about 4 s on two cores and 1 s on eight. The next greater
 // request, five fingers and two blocks, has 5.3 million.
 inline constexpr std::uint64_t most_of_identical_fingers = 2'000'000;
