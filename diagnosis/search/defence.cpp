@@ -56,7 +56,7 @@ void drop_superfluous(SearchedModel& search) {
       continue;
     }
     search.accepted.erase(search.accepted.begin() + static_cast<std::ptrdiff_t>(c));
-    search.settle(std::move(less.model));
+    search.settle(less.model);
     c = 0;
   }
 }

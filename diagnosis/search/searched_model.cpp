@@ -54,7 +54,7 @@ void SearchedModel::reshape(const Model& model) {
   now = scored(model);
 }
 
-void SearchedModel::settle(Model model) {
+void SearchedModel::settle(const Model& model) {
   reshape(model);
   reshape(fit(now.likelihood.problem, model).model);
 }

@@ -64,7 +64,7 @@ struct SearchedModel {
   // Makes this the current model. The readings' weights depend on the model, and the best fit
   // depends on the weights.
   void reshape(const Model& model);
-  void settle(Model model);  // fitted, too
+  void settle(const Model& model);  // fitted, too
 };
 
 }  // namespace reeve::diagnosis

@@ -168,7 +168,7 @@ class Searching {
       const AcceptedTerm own = std::exchange(accepted().back(), ways[i].term);
       Scored other = search_.fitted(ways[i].model);
       if (other.evidence > search_.now.evidence + hardly) {
-        search_.settle(std::move(other.model));
+        search_.settle(other.model);
       } else {
         accepted().back() = own;
       }
@@ -194,7 +194,7 @@ class Searching {
     accepted().back() = {held, own.price, free.values.size(), 0, 1, {}, {}};
     Scored freed = search_.scored(std::move(moved));
     if (freed.evidence > search_.now.evidence + clearly_likelier) {
-      search_.settle(std::move(freed.model));
+      search_.settle(freed.model);
     } else {
       accepted().back() = own;
     }
