@@ -15,7 +15,7 @@
 
 namespace reeve::diagnosis {
 
-// What all readings offer to laws. Parts of them are screened by the same levers.
+// Readings as laws see them, all of them. Parts of them are screened by the same levers.
 struct LawTable {
   const Dataset* all = nullptr;  // must outlive the table
   std::vector<Lever> levers;

@@ -31,7 +31,7 @@ struct Effort {
   bool beside_hardware = true;
 };
 
-// What may be said beside the coefficients.
+// Terms that may join a model beside the coefficients.
 struct Vocabulary {
   const std::vector<Candidate>& causes;
   const std::vector<Effect>& terms;  // laws of the user's, at the price of a name of the library

@@ -83,7 +83,7 @@ class DecidingEvaluator {
   // True if routings are put together from trees, and no more is wanted than uniformity, efficiency
   // and parts.
   bool estimates() const { return estimates_; }
-  // Of all routings that begin so. Returns nothing without estimates.
+  // Bounds all routings that begin so. Returns nothing without estimates.
   std::optional<Estimate> estimate(const RoutingBeginning& beginning);
   std::optional<Estimate> estimate(const Routing& routing);
 

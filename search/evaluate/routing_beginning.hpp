@@ -1,4 +1,4 @@
-// What routings begin with: some of their trees, or all.
+// The beginning of routings: some of their trees, or all.
 //
 // It bounds every routing that begins so. In a grasp, of the states of these trees with least and
 // greatest strand tension, motor tension m and work w in all (tree_spans.hpp),

@@ -9,7 +9,7 @@
 //   N(s, i) = Σ_m multichoose(shapes(s) - i, m) sets(tendons below s, fingers - m s),
 // so the place of a routing is the sum over its tendons of N(first choice) - N(this choice).
 //
-// Whoever reads them may also say that nothing is wanted of what begins in some way
+// The reader may also say that nothing is wanted of what begins in some way
 // (evaluate/routing_beginning.hpp): it is passed over likewise.
 #pragma once
 
