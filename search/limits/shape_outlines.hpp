@@ -15,8 +15,8 @@ class ShapeOutlines {
   // Keeps a reference to the shapes. Routings have at most so many fingers.
   ShapeOutlines(const Hardware& hardware, ListedShapes& shapes, int fingers);
 
-  // Returns nothing if it jams in a state, or if no motor pulls it. Keeps one of the shapes with more
-  // than half of the fingers.
+  // Returns nothing if it jams in a state, or if no motor pulls it. Keeps one of the shapes with
+  // more than half of the fingers.
   const TreeOutline* find(const ListedShape& shape);
 
   // The greatest motor tension, in any state, of tendons that pass so many fingers in all, each at
