@@ -3,9 +3,8 @@
 //   [[law]]
 //   acts_on = "exponent"          exponent, force, gain or offset
 //   site = "sheath"               "tube of finger 1", "T3", "motor", "all channels", …
-//   form = "linear"               constant, linear, log, power, quadratic, exponential, hinge,
-//   step,
-//                                 sine or product
+//   form = "linear"               constant, linear, log, power, scaling, quadratic, exponential,
+//                                 hinge, step, sine or product
 //   covariate = "humidity_pct"    a column of the data, load, or another channel; not of a constant
 //   middle = 50                   where the data had their middle
 //   range = [20, 80]              that the data had; outside it the law is held constant

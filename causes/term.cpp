@@ -50,6 +50,8 @@ Parameter shape_parameter(const Term& term) {
   switch (term.form) {
     case Form::power:
       return {"b", "1", std::nullopt, {-3, 3}, std::nullopt};
+    case Form::scaling:
+      return {"b", "1", std::nullopt, {0.1, 3}, std::nullopt};
     case Form::exponential:
       return {"b", "", std::nullopt, {0.02 * high, 5 * high}, std::nullopt};
     case Form::quadratic:
@@ -87,6 +89,7 @@ std::vector<Parameter> parameters_of(const Term& term) {
   std::vector<Parameter> parameters{{"a", unit, 0, either, std::nullopt}};
   switch (term.form) {
     case Form::power:
+    case Form::scaling:
       parameters.front() = {"a", unit, 0, is_force ? most : Range{-3, 3}, std::nullopt};
       [[fallthrough]];
     case Form::quadratic:
@@ -282,6 +285,8 @@ double value_of(const Term& term, double x, double y, const double* parameters,
       return a * std::log(x / crossing.x);
     case Form::power:
       return a * (std::pow(x / crossing.x, parameters[1]) - 1);
+    case Form::scaling:
+      return a * std::pow(x / crossing.x, parameters[1]);
     case Form::quadratic:
       return a * (x - parameters[1]) * (x - parameters[1]);
     case Form::exponential:
@@ -383,7 +388,8 @@ std::optional<TermFault> fault(const Term& term) {
                                     (of_two && term.y.kind == CovariateKind::tension))) {
     return TermFault{"covariate", "no other channel, but for a law of channels"};
   }
-  const bool is_logarithmic = term.form == Form::log || term.form == Form::power;
+  const bool is_logarithmic =
+      term.form == Form::log || term.form == Form::power || term.form == Form::scaling;
   if (const auto found = fault(term.x, is_logarithmic || (of_two && term.x.logarithmic))) {
     return found;
   }

@@ -9,12 +9,15 @@
 // f(x) of a covariate x, seen between two values and held constant outside them:
 //
 //   constant a · linear a (x - x0) · log a ln(x/x0) · power a ((x/x0)^b - 1) ·
-//   quadratic a (x - b)^2 · exponential a (1 - e^{-x/b}) · hinge a max(0, x - b) · step a [x > b] ·
-//   sine a sin(2 pi x/c) + b cos(2 pi x/c) · product a g(x) h(y), g and h linear or log
+//   scaling a (x/x0)^b · quadratic a (x - b)^2 · exponential a (1 - e^{-x/b}) ·
+//   hinge a max(0, x - b) · step a [x > b] · sine a sin(2 pi x/c) + b cos(2 pi x/c) ·
+//   product a g(x) h(y), g and h linear or log
 //
 // x0 is the middle of the data, so that a is known apart from what is common to all readings. A
-// reading that does not say x is as one at x0. The laws that a library of causes names by a name of
-// their own are the same terms; what has no name there is called a law.
+// scaling law is for what begins at x = 0, as a force does that grows with the load, and has no
+// constant of its own beside it. A reading that does not say x is as one at x0. The laws that a
+// library of causes names by a name of their own are the same terms; what has no name there is
+// called a law.
 #pragma once
 
 #include <cstdint>
@@ -80,6 +83,7 @@ enum class Form : std::uint8_t {
   linear,
   log,
   power,
+  scaling,
   quadratic,
   exponential,
   hinge,

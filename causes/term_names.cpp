@@ -11,8 +11,9 @@ namespace reeve::causes {
 namespace {
 
 constexpr std::array names_of_targets{"exponent", "force", "gain", "offset"};
-constexpr std::array names_of_forms{"constant",    "linear", "log",  "power", "quadratic",
-                                    "exponential", "hinge",  "step", "sine",  "product"};
+constexpr std::array names_of_forms{"constant", "linear",    "log",         "power",
+                                    "scaling",  "quadratic", "exponential", "hinge",
+                                    "step",     "sine",      "product"};
 
 template <typename Enum, std::size_t n>
 std::optional<Enum> enum_named(const std::array<const char*, n>& names, const std::string& name) {
@@ -263,6 +264,9 @@ std::string formula(const Term& term, const std::vector<double>& values) {
       break;
     case Form::power:
       f = fmt::format("{} (({} / {:.4g})^{:.4g} - 1)", a, x, term.x.middle, values[1]);
+      break;
+    case Form::scaling:
+      f = fmt::format("{} ({} / {:.4g})^{:.4g}", a, x, term.x.middle, values[1]);
       break;
     case Form::quadratic:
       f = fmt::format("{} ({}{})^2", a, x, subtracted(values[1]));

@@ -131,6 +131,7 @@ std::string law_unit(const Term& term, std::size_t parameter) {
     case Form::linear:
       return over(unit, x);
     case Form::power:
+    case Form::scaling:
       return is_size ? unit : "1";
     case Form::quadratic:
       return is_size ? over(over(unit, x), x) : x;

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "diagnosis/search/law_families.hpp"
+#include "diagnosis/search/law_forms.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -12,7 +13,7 @@ constexpr std::size_t most_knots = 12;
 // Returns which of the laws gains most.
 std::size_t keep_bent(const LawColumns& columns, std::size_t l, const std::vector<RowLaw>& laws,
                       FoundLaws& found) {
-  const Eigen::MatrixXd seen = columns.columns(columns.lever(l), columns.values(laws));
+  const Eigen::MatrixXd seen = columns.columns(columns.lever(l), laws);
   std::size_t best = 0;
   double greatest = 0;
   for (std::size_t j = 0; j < laws.size(); ++j) {
@@ -31,7 +32,8 @@ std::size_t keep_bent(const LawColumns& columns, std::size_t l, const std::vecto
 // first, then all about the best. No fit would move a step, and next to its place another run pays.
 void screen_knots(const LawColumns& columns, const Bend& at, Form form, std::size_t first,
                   FoundLaws& found) {
-  const std::vector<double>& values = columns.covariate(at.covariate).distinct;
+  const std::vector<double>& values =
+      columns.covariate(columns.lever(at.lever), at.covariate).distinct;
   const std::size_t stride = std::max<std::size_t>(1, values.size() / most_knots);
   const auto between = [&](std::size_t k) {
     return RowLaw{form, at.covariate, 0, {1, (values[k] + values[k + 1]) / 2}};
@@ -48,26 +50,6 @@ void screen_knots(const LawColumns& columns, const Bend& at, Form form, std::siz
   if (!laws.empty()) keep_bent(columns, at.lever, laws, found);
 }
 
-// Powers, exponentials and parabolas over the range of the covariate.
-std::vector<RowLaw> smooth_bends(std::size_t c, const Range& seen) {
-  const auto [low, high] = seen;
-  std::vector<RowLaw> laws;
-  if (low > 0) {
-    for (const double b : {-2.0, -1.0, -0.5, 0.5, 2.0, 3.0}) {
-      laws.push_back({Form::power, c, 0, {1, b}});
-    }
-  }
-  if (high > 0) {
-    for (const double part : {0.05, 0.1, 0.2, 0.4, 0.8}) {
-      laws.push_back({Form::exponential, c, 0, {1, part * high}});
-    }
-  }
-  for (int k = 0; k <= 8; ++k) {
-    laws.push_back({Form::quadratic, c, 0, {1, low + (high - low) * (k - 2) / 4}});
-  }
-  return laws;
-}
-
 }  // namespace
 
 void screen_bent(const LawColumns& columns, std::vector<Bend> bends, FoundLaws& found) {
@@ -75,7 +57,8 @@ void screen_bent(const LawColumns& columns, std::vector<Bend> bends, FoundLaws& 
                    [](const Bend& a, const Bend& b) { return a.evidence > b.evidence; });
   bends.resize(std::min(most_bends, bends.size()));
   for (const Bend& at : bends) {
-    const Range& seen = columns.covariate(at.covariate).covariate.seen;
+    const Lever& lever = columns.lever(at.lever);
+    const Range& seen = columns.covariate(lever, at.covariate).covariate.seen;
     keep_bent(columns, at.lever, smooth_bends(at.covariate, seen), found);
     screen_knots(columns, at, Form::hinge, 1, found);
     screen_knots(columns, at, Form::step, 0, found);

@@ -80,6 +80,7 @@ void defend(SearchedModel& search, const Vocabulary& words, std::size_t c) {
   }
   evidence = take_simplest(search, ways, c, evidence);
   AcceptedTerm& accepted = search.accepted[c];
+  accepted.alternatives.clear();
   double odds = 1;
   for (Scored& way : ways) {
     const double deficit = evidence - way.evidence;

@@ -1,40 +1,23 @@
 #include "diagnosis/search/found_laws.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
 
 #include "causes/term.hpp"
+#include "diagnosis/search/law_forms.hpp"
 
 namespace reeve::diagnosis {
 namespace {
 
 using What = LawKind::What;
 
-constexpr double price_of_law = 1;  // beside what the library has a name for
-constexpr double price_of_bend = 2;
+constexpr double price_of_law = 1.5;  // beside what the library has a name for
 constexpr double price_of_product = 2;
 constexpr double price_of_place = 2;
 constexpr double price_of_apart = 4;
 constexpr double price_of_breadth = 1;
-
-// A force that contacts take is none that they give.
-bool is_possible(const Term& term, const std::vector<double>& values) {
-  if (term.target != Target::force || term.site.place != SitePlace::contacts) return true;
-  constexpr double slack = 0.05;
-  constexpr int places = 20;
-  double least = 0, greatest = 0;
-  for (int i = 0; i <= places; ++i) {
-    const double x = term.x.seen.low + (term.x.seen.high - term.x.seen.low) * i / places;
-    const double y = term.y.seen.low + (term.y.seen.high - term.y.seen.low) * i / places;
-    const double f = causes::law_value(term, x, y, values.data());
-    least = std::min(least, f);
-    greatest = std::max(greatest, f);
-  }
-  return -least <= slack * greatest;
-}
 
 What kind_of(Form form) {
   if (form == Form::constant) return What::constant;
@@ -58,46 +41,28 @@ FoundLaws::FoundLaws(const LawColumns& columns)
 
 double FoundLaws::price(const Lever& lever) const {
   const auto breadth = static_cast<std::size_t>(lever.breadth);
-  // Friction is in proportion to the load but for rare cases.
-  const double price_of_force = lever.target == Target::force ? 0.5 : 0;
-  return price_of_law + price_of_force + std::log(levers_of_breadth_[breadth]) +
+  return price_of_law + std::log(levers_of_breadth_[breadth]) +
          price_of_breadth * static_cast<double>(breadth);
 }
 
-// The load is a covariate, too.
-double FoundLaws::price_of_covariate() const {
-  return std::log(1.0 + static_cast<double>(columns_.table().covariates.size()));
-}
-
 double FoundLaws::price_of(const Lever& lever, std::size_t c) const {
-  return price_of_covariate() + (columns_.covariate(c).is_place ? price_of_place : 0) +
+  const auto count = static_cast<double>(columns_.table().covariates.size());
+  return std::log(1 + count) +  // the load is a covariate, too
+         (columns_.covariate(lever, c).is_place ? price_of_place : 0) +
          price_of_breadth * static_cast<double>(lever.breadth);
 }
 
 LeverLaw FoundLaws::law(std::size_t l, const RowLaw& of) const {
   const Lever& lever = columns_.lever(l);
   LeverLaw law{l, {kind_of(of.form), of.x, of.y}, {lever.target, lever.site, of.form, {}, {}}, 0};
-  if (of.form == Form::constant) {
-    if (!lever.by_load) return law;
-    law.kind.what = What::own;
-    law.term.form = lever.logarithmic ? Form::log : Form::linear;
-    law.term.x = lever.load;
-    law.price = price_of_covariate();
-    return law;
-  }
-  const RowCovariate& x = columns_.covariate(of.x);
+  law.price = price_of_form(law.term);
+  if (of.form == Form::constant) return law;
+  const RowCovariate& x = columns_.covariate(lever, of.x);
   law.term.x = as_factor(x.covariate, of.x_logarithmic);
-  law.price = price_of(lever, of.x);
-  if (lever.by_load) {
-    law.term.form = Form::product;
-    law.term.y = law.term.x;
-    law.term.x = as_factor(lever.load, lever.logarithmic);
-    law.price += price_of_product;
-  } else if (law.kind.what == What::product) {
-    law.term.y = as_factor(columns_.covariate(of.y).covariate, of.y_logarithmic);
+  law.price += price_of(lever, of.x);
+  if (law.kind.what == What::product) {
+    law.term.y = as_factor(columns_.covariate(lever, of.y).covariate, of.y_logarithmic);
     law.price += price_of(lever, of.y) + price_of_product;
-  } else if (law.kind.what == What::bent) {
-    law.price += price_of_bend;
   }
   // The place of a step is one of as many as the column has values, and no fitted parameter.
   if (of.form == Form::step) {
@@ -108,14 +73,16 @@ LeverLaw FoundLaws::law(std::size_t l, const RowLaw& of) const {
 
 LeverLaw FoundLaws::law_of_part(std::size_t l, std::size_t parts, bool is_run) const {
   LeverLaw result = law(l, {});
-  result.kind.what = What::own;
-  result.price = std::log(static_cast<double>(parts)) + (is_run ? price_of_apart : 0);
+  result.kind.what = What::of_part;
+  result.price += std::log(static_cast<double>(parts)) + (is_run ? price_of_apart : 0);
   return result;
 }
 
-double FoundLaws::bent_evidence(std::size_t l, std::size_t c, double gain) const {
+double FoundLaws::bent_evidence(std::size_t l, std::size_t c, double gain, int parameters) const {
   const Lever& lever = columns_.lever(l);
-  return gain - price(lever) - price_of(lever, c) - price_of_bend - 2 * parameter_price_;
+  return gain - price(lever) - price_of(lever, c) -
+         price_of_form({lever.target, lever.site, Form::power, {}, {}}) -
+         parameters * parameter_price_;
 }
 
 void FoundLaws::keep(const LeverLaw& law, double gain, std::vector<double> values,

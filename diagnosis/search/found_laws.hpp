@@ -20,7 +20,7 @@ struct ScreenedLaw {
 
 // Laws of a lever that share it differ in their form alone.
 struct LawKind {
-  enum class What : std::uint8_t { constant, own, straight, bent, product };
+  enum class What : std::uint8_t { constant, of_part, straight, bent, product };
   What what = What::constant;
   std::size_t x = 0, y = 0;  // covariates
 
@@ -39,7 +39,6 @@ class FoundLaws {
  public:
   explicit FoundLaws(const LawColumns& columns);
 
-  // The law of the row at the lever: of its load, too, where it is a lever by load.
   LeverLaw law(std::size_t lever, const RowLaw& of) const;
   // The constant that one of so many runs or groups has by itself.
   LeverLaw law_of_part(std::size_t lever, std::size_t parts, bool is_run) const;
@@ -47,8 +46,8 @@ class FoundLaws {
   // Keeps it if it is possible, and has evidence.
   void keep(const LeverLaw& law, double gain, std::vector<double> values,
             const std::vector<double>& crossing = {});
-  // Evidence of a bent law of this gain with two parameters.
-  double bent_evidence(std::size_t lever, std::size_t c, double gain) const;
+  // Evidence of a bent law of this gain with so many parameters.
+  double bent_evidence(std::size_t lever, std::size_t c, double gain, int parameters) const;
 
   // The most evident first, at most so many, of different levers or kinds. A law that follows
   // something is followed by the same law without it.
@@ -62,7 +61,6 @@ class FoundLaws {
   };
 
   double price(const Lever& lever) const;
-  double price_of_covariate() const;
   double price_of(const Lever& lever, std::size_t c) const;
 
   const LawColumns& columns_;

@@ -36,9 +36,8 @@ LawColumns::LawColumns(const LawTable& table, const Problem& problem, const Fore
   take_out_scales(problem, at, pulled_back_);
 }
 
-bool LawColumns::is_of_noise(std::size_t c) const {
-  return (covariate(c).is_motor && problem_.motor_deviation_N.size() > 0) ||
-         (covariate(c).is_place && are_set_);
+bool LawColumns::is_of_noise(const RowCovariate& x) const {
+  return (x.is_motor && problem_.motor_deviation_N.size() > 0) || (x.is_place && are_set_);
 }
 
 MatrixXd LawColumns::values(const std::vector<RowLaw>& laws) const {
@@ -54,10 +53,38 @@ VectorXd LawColumns::in_noise(const Lever& lever) const {
   return VectorXd(lever.by_value_N(cells_)).cwiseQuotient(problem_.deviation_N);
 }
 
+VectorXd LawColumns::in_noise(const Lever& lever, const RowLaw& law) const {
+  if (law.x != load()) return in_noise(lever).cwiseProduct(values({law}).col(0));
+  const bool is_product = law.form == Form::product;
+  Term term;
+  term.x = lever.load->covariate;
+  term.form = !is_product ? law.form : (law.x_logarithmic ? Form::log : Form::linear);
+  VectorXd by_value_N = VectorXd::Zero(lever.by_value_N.size());
+  for (const ContactShare& share : lever.shares) {
+    by_value_N[share.cell] +=
+        share.by_value_N * causes::law_value(term, share.load_N, 0, law.values.data());
+  }
+  VectorXd result = VectorXd(by_value_N(cells_)).cwiseQuotient(problem_.deviation_N);
+  if (!is_product) return result;
+  return result.cwiseProduct(
+      values({{law.y_logarithmic ? Form::log : Form::linear, law.y}}).col(0));
+}
+
+MatrixXd LawColumns::columns(const Lever& lever, const std::vector<RowLaw>& laws) const {
+  MatrixXd result(static_cast<Index>(cells_.size()), static_cast<Index>(laws.size()));
+  for (std::size_t j = 0; j < laws.size(); ++j) {
+    result.col(static_cast<Index>(j)) = in_noise(lever, laws[j]);
+  }
+  return seen(std::move(result));
+}
+
 MatrixXd LawColumns::columns(const Lever& lever, const Eigen::Ref<const MatrixXd>& values) const {
+  return seen(in_noise(lever).asDiagonal() * values);
+}
+
+MatrixXd LawColumns::seen(MatrixXd columns) const {
   // If a free coefficient already explains a column, hardly anything is left of it.
   constexpr double hardly = 0.02;
-  MatrixXd columns = in_noise(lever).asDiagonal() * values;
   take_out_scales(problem_, at_, columns);
   whiten(problem_.shared, columns);
   const Eigen::RowVectorXd before = columns.colwise().norm();

@@ -38,10 +38,13 @@ class LawColumns {
 
   const LawTable& table() const { return table_; }
   const Lever& lever(std::size_t l) const { return table_.levers[l]; }
-  bool is_whole(std::size_t l) const {
-    return lever(l).breadth == Breadth::whole && !lever(l).by_load;
-  }
+  bool is_whole(std::size_t l) const { return lever(l).breadth == Breadth::whole; }
+  // The load stands behind the covariates of the rows.
+  std::size_t load() const { return table_.covariates.size(); }
   const RowCovariate& covariate(std::size_t c) const { return table_.covariates[c]; }
+  const RowCovariate& covariate(const Lever& lever, std::size_t c) const {
+    return c == load() ? *lever.load : covariate(c);
+  }
   const Dataset& dataset() const { return *problem_.dataset; }
   double degrees_of_freedom() const { return projection_.degrees_of_freedom(); }
   // The residuals, as columns meet them that are in units of the noise alone.
@@ -49,19 +52,23 @@ class LawColumns {
 
   // A motor tension that scatters is no covariate: a law of it would follow its scatter. Nor is the
   // order of readings that were set, which goes with what they were set to.
-  bool is_of_noise(std::size_t c) const;
+  bool is_of_noise(const RowCovariate& x) const;
 
   // The values of each law, a row for each cell.
   Eigen::MatrixXd values(const std::vector<RowLaw>& laws) const;
   // The lever in units of the noise.
   Eigen::VectorXd in_noise(const Lever& lever) const;
-  // Columns of a lever times laws of these values.
+  // Columns of a lever times laws of these values, or times these laws, of its load among them.
+  Eigen::MatrixXd columns(const Lever& lever, const std::vector<RowLaw>& laws) const;
   Eigen::MatrixXd columns(const Lever& lever,
                           const Eigen::Ref<const Eigen::MatrixXd>& values) const;
 
   LawFamily family(const Eigen::MatrixXd& columns, const std::vector<Eigen::Index>& which) const;
 
  private:
+  Eigen::VectorXd in_noise(const Lever& lever, const RowLaw& law) const;
+  Eigen::MatrixXd seen(Eigen::MatrixXd columns) const;
+
   const LawTable& table_;
   const Problem& problem_;
   const Forecast& at_;

@@ -83,9 +83,8 @@ class LeversOf {
     return causes::acts_on(site, load);
   }
 
-  template <typename Value>
-  VectorXd over_contacts(const Site& site, Value value) const {
-    VectorXd result = VectorXd::Zero(static_cast<Index>(dataset_.cells.size()));
+  std::vector<ContactShare> shares(Target target, const Site& site) const {
+    std::vector<ContactShare> result;
     for (std::size_t r = 0; r < dataset_.rows.size(); ++r) {
       const DatasetRow& row = dataset_.rows[r];
       for (const causes::SolvedContact& contact : contacts_[r]) {
@@ -94,9 +93,9 @@ class LeversOf {
             *std::find_if(slots_.begin(), slots_.end(), [&](const ContactColumn& each) {
               return each.kind == contact.kind && each.number == contact.number;
             });
-        const double factor = value(contact);
+        const double factor = factor_of(target, contact);
         for (auto i = static_cast<Index>(row.first); i < static_cast<Index>(row.last); ++i) {
-          result[i] += factor * slot.by_exponent_N[i];
+          result.push_back({i, factor * slot.by_exponent_N[i], contact.high});
         }
       }
     }
@@ -110,42 +109,35 @@ class LeversOf {
     return causes::is_tube_or_sheath(contact.kind) ? contact.phi : 1;
   }
 
-  // The loads at the site: middle and range.
-  std::optional<Covariate> load_at(const Site& site) const {
+  static std::optional<RowCovariate> load_at(const std::vector<ContactShare>& shares) {
+    constexpr double wide = 1.3;
+    constexpr std::size_t most_distinct = 100;
     std::vector<double> loads;
-    for (std::size_t r = 0; r < dataset_.rows.size(); ++r) {
-      for (const causes::SolvedContact& contact : contacts_[r]) {
-        if (is_in(site, r, contact) && contact.high > 0) loads.push_back(contact.high);
-      }
+    for (const ContactShare& share : shares) {
+      if (share.load_N > 0) loads.push_back(share.load_N);
     }
-    return load_covariate(std::move(loads));
-  }
-
-  static std::optional<Covariate> load_covariate(std::vector<double> loads) {
-    if (loads.size() < 3) return std::nullopt;
     std::sort(loads.begin(), loads.end());
-    if (loads.back() < 1.3 * loads.front()) return std::nullopt;
-    return Covariate{causes::CovariateKind::load,   "",   {}, loads[loads.size() / 2],
-                     {loads.front(), loads.back()}, false};
+    loads.erase(std::unique(loads.begin(), loads.end()), loads.end());
+    if (loads.size() < 3 || loads.back() < wide * loads.front()) return std::nullopt;
+    RowCovariate result;
+    result.covariate.kind = causes::CovariateKind::load;
+    result.covariate.middle = loads[loads.size() / 2];
+    result.covariate.seen = {loads.front(), loads.back()};
+    const std::size_t stride = (loads.size() - 1) / most_distinct + 1;
+    for (std::size_t i = 0; i < loads.size(); i += stride) result.distinct.push_back(loads[i]);
+    return result;
   }
 
   void add_at_contacts(const Site& site, Breadth breadth) {
     for (const Target target : {Target::exponent, Target::force}) {
-      const VectorXd column = over_contacts(
-          site, [&](const causes::SolvedContact& contact) { return factor_of(target, contact); });
-      if (column.isZero(0)) continue;
-      levers_.push_back({target, site, breadth, false, false, {}, column});
-      const auto load = load_at(site);
-      if (!load || breadth == Breadth::one) continue;
-      for (const bool logarithmic : {false, true}) {
-        levers_.push_back({target, site, breadth, true, logarithmic, *load,
-                           over_contacts(site, [&](const causes::SolvedContact& contact) {
-                             if (!(contact.high > 0)) return 0.0;
-                             const double f = logarithmic ? std::log(contact.high / load->middle)
-                                                          : contact.high - load->middle;
-                             return f * factor_of(target, contact);
-                           })});
+      Lever lever{target, site, breadth, VectorXd::Zero(static_cast<Index>(dataset_.cells.size()))};
+      lever.shares = shares(target, site);
+      for (const ContactShare& share : lever.shares) {
+        lever.by_value_N[share.cell] += share.by_value_N;
       }
+      if (breadth != Breadth::one) lever.load = load_at(lever.shares);
+      if (!lever.load) lever.shares.clear();
+      levers_.push_back(std::move(lever));
     }
   }
 
@@ -189,8 +181,7 @@ class LeversOf {
 
   void add_cells(Target target, const Site& site, Breadth breadth,
                  const std::function<double(std::size_t row, Index cell)>& value) {
-    Lever lever{target, site, breadth, false, false, {}, {}};
-    lever.by_value_N = VectorXd::Zero(static_cast<Index>(dataset_.cells.size()));
+    Lever lever{target, site, breadth, VectorXd::Zero(static_cast<Index>(dataset_.cells.size()))};
     for (std::size_t r = 0; r < dataset_.rows.size(); ++r) {
       for (std::size_t i = dataset_.rows[r].first; i < dataset_.rows[r].last; ++i) {
         const bool reads =

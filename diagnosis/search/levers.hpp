@@ -8,39 +8,41 @@
 //   gain      y of a channel, or dy/dT_M T_M of the motor's pull
 //   offset    1, or dy/dT_M; a force at the motor is an offset that turns its sign in release
 //
+// The load differs from contact to contact, so a law of it weighs what each of them does by itself.
+//
 // The derivatives by exponents are central differences of forecasts; all else is exact.
 #pragma once
 
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "causes/term.hpp"
 #include "diagnosis/fit/forecast.hpp"
+#include "diagnosis/search/row_laws.hpp"
 #include "numerics/parallel.hpp"
 
 namespace reeve::diagnosis {
 
-using causes::Covariate;
-using causes::Form;
-using causes::Site;
-using causes::SitePlace;
-using causes::Target;
-using causes::Term;
-
 // How far a site is from being the whole rig.
 enum class Breadth : std::uint8_t { whole, part, one };
+
+// Change of one cell by the value of the law at one contact.
+struct ContactShare {
+  Eigen::Index cell = 0;
+  double by_value_N = 0;
+  double load_N = 0;
+};
 
 struct Lever {
   Target target = Target::exponent;
   Site site;
   Breadth breadth = Breadth::whole;
-  // The law's covariate is the load; otherwise the load is left to the row's law.
-  bool by_load = false;
-  bool logarithmic = false;  // ln(T_high / x0), not T_high - x0
-  Covariate load{};
-  Eigen::VectorXd by_value_N;  // change of each cell by the value of the row's law
+  Eigen::VectorXd by_value_N;          // change of each cell by the value of the row's law
+  std::optional<RowCovariate> load{};  // without rows; none where it does not differ
+  std::vector<ContactShare> shares{};  // what adds up to the change, where there is a load
 };
 
 // Returns the levers of all sites that the routings of the data have. Levers that no reading

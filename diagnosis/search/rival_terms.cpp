@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "causes/library.hpp"
+#include "diagnosis/search/law_forms.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -35,11 +37,11 @@ class RivalTerms {
       : search_(search), words_(words), from_(from) {}
 
   std::vector<Scored> run(const std::vector<Likelihood>& views, std::size_t accepted) const {
-    const std::vector<Contender> who = contenders(views, accepted);
-    std::vector<Scored> result(who.size());
-    search_.workers.for_each_block(who.size(), 1, [&](const IndexBlock& block) {
-      result[block.begin] = fitted(who[block.begin]);
-    });
+    std::vector<Scored> result = fitted(contenders(views, accepted));
+    most_evident_first(result);
+    std::vector<Scored> forms = fitted(forms_of_the_best_law(result));
+    result.insert(result.end(), std::make_move_iterator(forms.begin()),
+                  std::make_move_iterator(forms.end()));
     most_evident_first(result);
     see_at_all_levels(result);
     most_evident_first(result);
@@ -129,6 +131,29 @@ class RivalTerms {
     return result;
   }
 
+  // If a law is the most evident term or near it, its other forms are tried, too.
+  std::vector<Contender> forms_of_the_best_law(const std::vector<Scored>& ways) const {
+    std::vector<Contender> result;
+    for (const Scored& way : ways) {
+      if (way.term.effect.cause == nullptr || !is_near(way.evidence, ways.front().evidence) ||
+          !result.empty())
+        break;
+      for (LawForm& form : other_forms(way.term.effect)) {
+        result.push_back({std::move(form.effect), std::move(form.starts),
+                          way.term.price + form.more_price, &way.likelihood});
+      }
+    }
+    return result;
+  }
+
+  std::vector<Scored> fitted(const std::vector<Contender>& who) const {
+    std::vector<Scored> result(who.size());
+    search_.workers.for_each_block(who.size(), 1, [&](const IndexBlock& block) {
+      result[block.begin] = fitted(who[block.begin]);
+    });
+    return result;
+  }
+
   Scored fitted(const Contender& contender) const {
     const Extended with = extended(from_.model, contender.effect);
     const Problem& problem = contender.seen_by->problem;
@@ -142,6 +167,8 @@ class RivalTerms {
     if (!shows(effect)) return {};
     const std::size_t parameters = effect.values.size();
     const Effect held = causes::with_crossing_held(effect);
+    const Term* law = causes::term_of(*held.cause);
+    if (law != nullptr && !is_possible(*law, held.values)) return {};
     best.model = without(best.model, with.effect);
     add_effect(best.model, held);
     Scored result = search_.scored(std::move(best.model), contender.seen_by->level);
@@ -163,18 +190,21 @@ class RivalTerms {
     return effect.cause->shows_between(least, greatest, effect);
   }
 
-  // Scores those again that could be the likeliest, or hardly less likely.
-  void see_at_all_levels(std::vector<Scored>& ways) const {
-    constexpr std::size_t at_least = 4;
+  // True if it could be the likeliest at another level of scatter, or hardly less likely.
+  bool is_near(double evidence, double best) const {
     constexpr double near = 0.2;
     constexpr double nats = 10;
+    return evidence >= best - std::max(nats, near * (best - from_.evidence));
+  }
+
+  void see_at_all_levels(std::vector<Scored>& ways) const {
+    constexpr std::size_t at_least = 4;
     if (ways.empty()) return;
     const double best = ways.front().evidence;
-    const double least = best - std::max(nats, near * (best - from_.evidence));
     search_.workers.for_each_block(ways.size(), 1, [&](const IndexBlock& block) {
       Scored& way = ways[block.begin];
       if (way.term.effect.cause == nullptr) return;
-      if (block.begin >= at_least && way.evidence < least) return;
+      if (block.begin >= at_least && !is_near(way.evidence, best)) return;
       Scored seen = search_.scored(std::move(way.model));
       seen.evidence -= search_.cost(way.term);
       seen.term = std::move(way.term);

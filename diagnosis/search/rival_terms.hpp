@@ -1,4 +1,5 @@
-// Terms that may join a model: the most promising by screening, each fitted in full.
+// Terms that may join a model: the most promising by screening, each fitted in full, and the best
+// law among them in its other forms (law_forms.hpp).
 #pragma once
 
 #include <functional>

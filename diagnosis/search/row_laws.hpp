@@ -13,6 +13,13 @@
 
 namespace reeve::diagnosis {
 
+using causes::Covariate;
+using causes::Form;
+using causes::Site;
+using causes::SitePlace;
+using causes::Target;
+using causes::Term;
+
 struct RowCovariate {
   Covariate covariate;  // with the range that is seen, and its median as the middle
   Eigen::VectorXd by_row;
@@ -25,7 +32,7 @@ struct RowCovariate {
 // more.
 std::vector<RowCovariate> row_covariates(const Dataset& dataset);
 
-// A law of recorded covariates, each named by its place among these.
+// A law of covariates, each named by its place among these. The load at a lever stands behind them.
 struct RowLaw {
   Form form = Form::constant;
   std::size_t x = 0;

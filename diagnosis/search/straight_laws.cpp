@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -32,85 +33,103 @@ bool is_library_constant(const Lever& lever) {
 class StraightLaws {
  public:
   StraightLaws(const LawColumns& columns, FoundLaws& found) : columns_(columns), found_(found) {
-    const std::size_t count = columns.table().covariates.size();
-    for (std::size_t c = 0; c < count; ++c) {
-      linear_.push_back(static_cast<Index>(laws_.size()));
-      laws_.push_back({Form::linear, c});
-    }
-    for (std::size_t c = 0; c < count; ++c) {
-      log_.push_back(static_cast<Index>(laws_.size()));
-      if (is_logarithmic(c)) laws_.push_back({Form::log, c});
-    }
-    for (std::size_t c = 0; c < count; ++c) {
-      laws_.push_back({Form::quadratic, c, 0, {1, columns.covariate(c).covariate.middle}});
-    }
+    for (std::size_t c = 0; c < columns.load(); ++c) add_laws_of(columns.covariate(c), c, laws_);
     of_one_ = laws_.size();
-    list_products();
+    for (std::size_t x = 0; x < columns.load(); ++x) add_products(columns.covariate(x), x, laws_);
     values_ = columns.values(laws_);
   }
 
   void screen(std::size_t l) {
     const Lever& lever = columns_.lever(l);
-    const std::size_t count = columns_.is_whole(l) ? laws_.size() : of_one_;
-    const MatrixXd seen = columns_.columns(lever, values_.leftCols(static_cast<Index>(count)));
-    if (lever.by_load) keep_load(l, seen);
-    for (std::size_t j = 0; j < count; ++j) {
-      const RowLaw& of = laws_[j];
-      const auto own = static_cast<Index>(j);
-      if (!may_follow(lever, of)) continue;
-      if (of.form == Form::quadratic) {
-        note_bend(l, of.x, columns_.family(seen, {linear_[of.x], own}).gain);
-      } else if (of.form == Form::product) {
-        keep(found_.law(l, of), seen, own,
-             {of.x_logarithmic ? log_[of.x] : linear_[of.x],
-              of.y_logarithmic ? log_[of.y] : linear_[of.y]});
-      } else if (of.form != Form::constant) {
-        keep(found_.law(l, of), seen, own,
-             lever.by_load ? std::vector<Index>{} : std::vector<Index>{0});
-      } else if (!lever.by_load && !is_library_constant(lever)) {
-        keep(found_.law(l, of), seen, own, {});
-      }
+    const bool is_whole = columns_.is_whole(l);
+    std::vector<RowLaw> laws = laws_;
+    if (!is_whole) laws.resize(of_one_);
+    MatrixXd seen = columns_.columns(lever, values_.leftCols(static_cast<Index>(laws.size())));
+    if (lever.load) {
+      std::vector<RowLaw> own;
+      add_laws_of(*lever.load, columns_.load(), own);
+      if (is_whole) add_products(*lever.load, columns_.load(), own);
+      laws.insert(laws.end(), own.begin(), own.end());
+      MatrixXd rows_and_load(seen.rows(), static_cast<Index>(laws.size()));
+      rows_and_load << seen, columns_.columns(lever, own);
+      seen = std::move(rows_and_load);
     }
+    for (std::size_t j = 0; j < laws.size(); ++j) screen(l, laws, j, seen);
   }
 
   std::vector<Bend> bends() { return std::move(bends_); }
 
  private:
-  void list_products() {
-    for (std::size_t x = 0; x < linear_.size(); ++x) {
-      for (std::size_t y = 0; y < x; ++y) {
-        if (columns_.covariate(x).is_place || columns_.covariate(y).is_place) continue;
-        if (columns_.is_of_noise(x) || columns_.is_of_noise(y)) continue;
-        laws_.push_back({Form::product, x, y});
-        if (is_logarithmic(x)) laws_.push_back({Form::product, x, y, {1}, true});
-        if (is_logarithmic(y)) laws_.push_back({Form::product, x, y, {1}, false, true});
+  void add_laws_of(const RowCovariate& x, std::size_t c, std::vector<RowLaw>& laws) const {
+    if (columns_.is_of_noise(x)) return;
+    laws.push_back({Form::linear, c});
+    if (is_logarithmic(x)) laws.push_back({Form::log, c});
+    if (!x.is_motor) laws.push_back({Form::quadratic, c, 0, {1, x.covariate.middle}});
+  }
+
+  // The products with each of the covariates before this one.
+  void add_products(const RowCovariate& of, std::size_t x, std::vector<RowLaw>& laws) const {
+    const auto is_factor = [&](const RowCovariate& factor) {
+      return !factor.is_place && !columns_.is_of_noise(factor);
+    };
+    for (std::size_t y = 0; y < x && is_factor(of); ++y) {
+      if (!is_factor(columns_.covariate(y))) continue;
+      laws.push_back({Form::product, x, y});
+      if (is_logarithmic(of)) laws.push_back({Form::product, x, y, {1}, true});
+      if (is_logarithmic(columns_.covariate(y))) {
+        laws.push_back({Form::product, x, y, {1}, false, true});
       }
     }
   }
 
-  bool is_logarithmic(std::size_t c) const {
+  static bool is_logarithmic(const RowCovariate& x) {
     constexpr double wide = 1.5;
-    const Range& seen = columns_.covariate(c).covariate.seen;
-    return seen.low > 0 && seen.high > wide * seen.low && !columns_.covariate(c).is_motor;
+    const Range& seen = x.covariate.seen;
+    return seen.low > 0 && seen.high > wide * seen.low && !x.is_motor;
   }
 
-  bool may_follow(const Lever& lever, const RowLaw& law) const {
-    if (law.form == Form::constant) return true;
-    const bool is_product = law.form == Form::product;
-    // An offset in proportion to the motor tension is a gain, which has laws of its own.
-    const bool of_motor =
-        columns_.covariate(law.x).is_motor || (is_product && columns_.covariate(law.y).is_motor);
-    if (of_motor && lever.target == Target::offset &&
-        (is_product || lever.site.place == SitePlace::motor)) {
-      return false;
+  // An offset in proportion to the motor tension is a gain, which has laws of its own.
+  bool is_a_gain(const Lever& lever, const RowLaw& law) const {
+    if (lever.target != Target::offset || law.form == Form::constant) return false;
+    if (law.form != Form::product) {
+      return lever.site.place == SitePlace::motor && columns_.covariate(law.x).is_motor;
     }
-    if (lever.by_load && law.form != Form::linear) return false;
-    return !columns_.is_of_noise(law.x);
+    return columns_.covariate(law.x).is_motor || columns_.covariate(law.y).is_motor;
   }
 
-  void note_bend(std::size_t l, std::size_t c, double gain) {
-    if (!(gain > 0) || columns_.covariate(c).is_motor) return;
-    const double evidence = found_.bent_evidence(l, c, gain);
+  void screen(std::size_t l, const std::vector<RowLaw>& laws, std::size_t j, const MatrixXd& seen) {
+    const Lever& lever = columns_.lever(l);
+    const RowLaw& of = laws[j];
+    const auto own = static_cast<Index>(j);
+    const auto column = [&](std::size_t c, bool is_logarithmic) {
+      const Form form = is_logarithmic ? Form::log : Form::linear;
+      return std::find_if(laws.begin(), laws.end(),
+                          [&](const RowLaw& law) { return law.form == form && law.x == c; }) -
+             laws.begin();
+    };
+    if (is_a_gain(lever, of)) return;
+    if (of.form == Form::quadratic) {
+      note_bend(l, of.x, seen, {column(of.x, false), own});
+    } else if (of.form == Form::product) {
+      keep(found_.law(l, of), seen, own,
+           {column(of.x, of.x_logarithmic), column(of.y, of.y_logarithmic)});
+    } else if (of.form != Form::constant) {
+      keep(found_.law(l, of), seen, own, {0});
+    } else if (!is_library_constant(lever)) {
+      keep(found_.law(l, of), seen, own, {});
+    }
+  }
+
+  // A law that begins elsewhere than at the middle of the data has a constant beside the parabola.
+  void note_bend(std::size_t l, std::size_t c, const MatrixXd& seen, std::vector<Index> parabola) {
+    double evidence = 0;
+    for (const int parameters : {2, 3}) {
+      const double gain = columns_.family(seen, parabola).gain;
+      if (gain > 0) {
+        evidence = std::max(evidence, found_.bent_evidence(l, c, gain, parameters));
+      }
+      parabola.push_back(0);
+    }
     if (evidence > 0) bends_.push_back({l, c, evidence});
   }
 
@@ -137,20 +156,10 @@ class StraightLaws {
     found_.keep(law, all.gain, {all.size[last]}, crossings);
   }
 
-  // The law of a load, alone or with the constant of the same site.
-  void keep_load(std::size_t l, const MatrixXd& columns) {
-    std::size_t plain = l;
-    while (columns_.lever(plain).by_load) --plain;
-    MatrixXd both(columns.rows(), 2);
-    both << columns_.columns(columns_.lever(plain), values_.leftCols(1)), columns.col(0);
-    keep(found_.law(l, {}), both, 1, {0});
-  }
-
   const LawColumns& columns_;
   FoundLaws& found_;
-  std::vector<RowLaw> laws_{{}};     // constant, linear, log, quadratic, products
-  std::size_t of_one_ = 0;           // number of laws but products
-  std::vector<Index> linear_, log_;  // column of each covariate
+  std::vector<RowLaw> laws_{{}};  // of the rows: constant, of one covariate, products
+  std::size_t of_one_ = 0;        // number of laws but products
   MatrixXd values_;
   std::vector<Bend> bends_;
 };

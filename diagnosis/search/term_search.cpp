@@ -48,6 +48,10 @@ class Searching {
       if (stop("searching for causes")) return false;
       if (!accept_best()) break;
       drop_superfluous(search_);
+      for (std::size_t c = 0; c + 1 < accepted().size() && !words_.effort.level; ++c) {
+        if (stop("weighing other causes")) return false;
+        defend(search_, words_, c);
+      }
     }
     for (std::size_t c = 0; c < accepted().size() && !words_.effort.level; ++c) {
       if (stop("weighing other causes")) return false;

@@ -2,8 +2,9 @@
 //
 // A step screens every cause of the library and every law of the grammar to first order, fits the
 // most promising in full (rival_terms.hpp), and accepts the one with the greatest evidence
-// (searched_model.hpp) if that is at least 3 nats above the model without it. Afterwards each
-// accepted term has to defend its place (defence.hpp). The coefficients that are free in every
+// (searched_model.hpp) if that is at least 3 nats above the model without it. After each step the
+// earlier terms have to defend their places (defence.hpp): one that stood in for two is replaced
+// before others stand in for what it leaves. The coefficients that are free in every
 // model (calibration.hpp) are fitted again each time.
 #pragma once
 

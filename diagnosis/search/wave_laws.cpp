@@ -31,7 +31,7 @@ Waves waves_of(const LawColumns& columns) {
   for (std::size_t c = 0; c < columns.table().covariates.size(); ++c) {
     const RowCovariate& of = columns.covariate(c);
     const int values = static_cast<int>(of.distinct.size());
-    if (of.distinct.size() < enough_values || of.is_motor || columns.is_of_noise(c)) continue;
+    if (of.distinct.size() < enough_values || of.is_motor || columns.is_of_noise(of)) continue;
     const double span = of.covariate.seen.high - of.covariate.seen.low;
     for (int k = 2; k <= std::min(most_waves, values / 2); ++k) {
       result.sines.push_back({Form::sine, c, 0, {1, 0, 2 * span / k}});

@@ -105,6 +105,7 @@ const std::vector<FormCase>& form_cases() {
       {Form::linear, {0.01}, [](double x) { return 0.01 * (x - 50); }},
       {Form::log, {0.5}, [](double x) { return 0.5 * std::log(x / 50); }},
       {Form::power, {0.7, 1.5}, [](double x) { return 0.7 * (std::pow(x / 50, 1.5) - 1); }},
+      {Form::scaling, {0.7, 1.5}, [](double x) { return 0.7 * std::pow(x / 50, 1.5); }},
       {Form::quadratic, {0.0005, 35}, [](double x) { return 0.0005 * (x - 35) * (x - 35); }},
       {Form::exponential, {0.6, 40}, [](double x) { return 0.6 * (1 - std::exp(-x / 40)); }},
       {Form::hinge, {0.02, 45}, [](double x) { return x > 45 ? 0.02 * (x - 45) : 0; }},
@@ -578,6 +579,7 @@ TEST(Law, IsWrittenAsAFormula) {
   EXPECT_EQ(written(Form::linear, {0.0083}), "phi' = phi (1 + 0.0083 (humidity_pct - 50))");
   EXPECT_EQ(written(Form::log, {0.5}), "phi' = phi (1 + 0.5 ln(humidity_pct / 50))");
   EXPECT_EQ(written(Form::power, {0.7, 1.5}), "phi' = phi (1 + 0.7 ((humidity_pct / 50)^1.5 - 1))");
+  EXPECT_EQ(written(Form::scaling, {0.7, 1.5}), "phi' = phi (1 + 0.7 (humidity_pct / 50)^1.5)");
   EXPECT_EQ(written(Form::quadratic, {0.5, 35}), "phi' = phi (1 + 0.5 (humidity_pct - 35)^2)");
   EXPECT_EQ(written(Form::exponential, {0.6, 40}),
             "phi' = phi (1 + 0.6 (1 - exp(-humidity_pct / 40)))");

@@ -17,6 +17,7 @@
 #include "core/error.hpp"
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/fit/evidence.hpp"
+#include "diagnosis/search/law_forms.hpp"
 #include "diagnosis/search/levers.hpp"
 #include "numerics/random.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
@@ -151,6 +152,33 @@ TEST(TermSearch, FindsWhereALargeProductOfTwoColumnsIsZero) {
   EXPECT_NEAR((supply_first ? term->x : term->y).middle, 4.7, 0.01);
 }
 
+TEST(TermSearch, FindsTheExponentOfAForceThatGrowsWithTheLoad) {
+  std::string text = "run,routing,held,motor_tension_N,T1_N,T2_N,T3_N,T4_N\n";
+  std::uint64_t drawn = 0;
+  for (int run = 0; run < 12; ++run) {
+    for (const double motor_N : {20.0, 40.0, 80.0, 160.0}) {
+      text += fmt::format("r{},M-1-T-2-F,1,{}", run, motor_N);
+      double tension_N = motor_N * std::exp(-phi_sheath);
+      for (int strand = 0; strand < 4; ++strand) {
+        text += fmt::format(",{:.5f}", tension_N * (1 + 0.005 * normal(1, 5, drawn++)));
+        tension_N = tension_N * std::exp(-phi_tube) - 0.12 * std::sqrt(tension_N);
+      }
+      text += "\n";
+    }
+  }
+  // A logarithm beside another friction coefficient would do nearly the same.
+  Hardware hardware;
+  hardware.tube.known = true;
+  DiagnoseOptions options;
+  options.threads = 1;
+  const DiagnosisResult result = diagnose(read_data(text), hardware, options);
+  ASSERT_EQ(result.causes.size(), 1U);
+  const Effect& law = result.causes.front().effect;
+  EXPECT_EQ(effect_name(law), "law[force of tube, load, scaling]");
+  EXPECT_NEAR(law.values[1], 0.5, 0.1);
+  EXPECT_NEAR(law.values[0], 0.12 * std::sqrt(term_of(*law.cause)->x.middle), 0.02);
+}
+
 TEST(TermSearch, FindsNothingInNoiseAlone) {
   const DiagnosisResult result = diagnosed(readings([](const Row&, int) { return 1.0; }));
   EXPECT_EQ(result.verdict, Verdict::none);
@@ -180,9 +208,7 @@ TEST(TermSearch, IsTheSameForAnyNumberOfThreads) {
 const Lever* lever_of(const std::vector<Lever>& levers, causes::Target target,
                       const std::string& site) {
   for (const Lever& lever : levers) {
-    if (lever.target == target && causes::site_name(lever.site) == site && !lever.by_load) {
-      return &lever;
-    }
+    if (lever.target == target && causes::site_name(lever.site) == site) return &lever;
   }
   return nullptr;
 }
@@ -200,7 +226,12 @@ TEST(Levers, AreTheDerivativesOfTheEquations) {
   const Lever* tubes = lever_of(all_levers, causes::Target::force, "tube");
   const Lever* gain = lever_of(all_levers, causes::Target::gain, "motor");
   ASSERT_TRUE(sheath != nullptr && tubes != nullptr && gain != nullptr);
-  double force = 0;
+  // By a force that grows with the root of the load.
+  Eigen::Vector4d by_root = Eigen::Vector4d::Zero();
+  for (const ContactShare& share : tubes->shares) {
+    by_root[share.cell] += share.by_value_N * std::sqrt(share.load_N);
+  }
+  double force = 0, root_force = 0;
   for (Eigen::Index i = 0; i < 4; ++i) {
     const double tension_N = 20 * std::exp(-phi_sheath - static_cast<double>(i) * phi_tube);
     EXPECT_NEAR(at.reading_N[i], tension_N, 1e-6);
@@ -208,7 +239,60 @@ TEST(Levers, AreTheDerivativesOfTheEquations) {
     EXPECT_NEAR(tubes->by_value_N[i], force, 1e-5);
     EXPECT_NEAR(gain->by_value_N[i], tension_N, 1e-5);
     force = force * std::exp(-phi_tube) - 1;
+    EXPECT_NEAR(by_root[i], root_force, 1e-5);
+    root_force = root_force * std::exp(-phi_tube) - std::sqrt(tension_N);
   }
+}
+
+// 0.3 ln(T / 8), from 2 N to 32 N.
+Effect log_force_of_tubes() {
+  Term term;
+  term.target = causes::Target::force;
+  term.form = causes::Form::log;
+  term.x = causes::covariate_named("load");
+  term.x.middle = 8;
+  term.x.seen = {2, 32};
+  return {&law(term), {}, {0.3}};
+}
+
+TEST(OtherForms, BeginNearTheLawButForAConstant) {
+  const auto forms = other_forms(log_force_of_tubes());
+  const auto root = std::find_if(forms.begin(), forms.end(), [](const LawForm& form) {
+    const Term& term = *term_of(*form.effect.cause);
+    return term.form == causes::Form::scaling && term.target == causes::Target::force;
+  });
+  ASSERT_NE(root, forms.end());
+  EXPECT_EQ(root->more_price, 2);
+  const auto flat = std::find_if(root->starts.begin(), root->starts.end(),
+                                 [](const auto& start) { return start[1] == 0.3; });
+  ASSERT_NE(flat, root->starts.end());
+  const auto rise = [&](double from_N, double to_N) {
+    const Term& term = *term_of(*root->effect.cause);
+    return causes::law_value(term, to_N, 0, flat->data()) -
+           causes::law_value(term, from_N, 0, flat->data());
+  };
+  EXPECT_NEAR(rise(2, 32), 0.3 * std::log(16.0), 0.05);
+  EXPECT_NEAR(rise(4, 16), 0.3 * std::log(4.0), 0.05);
+}
+
+TEST(OtherForms, OfALoadAreForcesAndExponents) {
+  const auto forms = other_forms(log_force_of_tubes());
+  const auto count = [&](causes::Target target) {
+    return std::count_if(forms.begin(), forms.end(), [&](const LawForm& form) {
+      return term_of(*form.effect.cause)->target == target;
+    });
+  };
+  EXPECT_EQ(count(causes::Target::force), 6);     // all but log
+  EXPECT_EQ(count(causes::Target::exponent), 7);  // linear, log, power, scaling and three more
+}
+
+TEST(LawForm, IsImpossibleIfContactsGiveForce) {
+  const Term& term = *term_of(*log_force_of_tubes().cause);
+  EXPECT_FALSE(is_possible(term, {0.3}));  // below 8 N
+  Term taken = term;
+  taken.x.middle = 2;
+  EXPECT_TRUE(is_possible(taken, {0.3}));
+  EXPECT_FALSE(is_possible(taken, {-0.3}));
 }
 
 TEST(Evidence, IsRobustAgainstOneWildReading) {

@@ -106,6 +106,7 @@ TEST(LawUnit, IsOfTheTargetOverTheCovariate) {
   EXPECT_EQ(units(exponent(Form::linear, "cycle")), Units{"1"});
   EXPECT_EQ(units(exponent(Form::log, "load")), Units{"1"});
   EXPECT_EQ(units(exponent(Form::power, "load")), (Units{"1", "1"}));
+  EXPECT_EQ(units(law_at(Target::force, "tube", Form::scaling, "load")), (Units{"N", "1"}));
   EXPECT_EQ(units(exponent(Form::quadratic, "load")), (Units{"1/N/N", "N"}));
   EXPECT_EQ(units(exponent(Form::exponential, "temperature_C")), (Units{"1", "C"}));
   EXPECT_EQ(units(exponent(Form::hinge, "speed_mm_s")), (Units{"1/(mm/s)", "mm/s"}));
