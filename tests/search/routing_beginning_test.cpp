@@ -77,7 +77,7 @@ TEST(RoutingBeginning, BoundsEveryRoutingThatBeginsSo) {
   EXPECT_GT(compared({full_parts(), 5}, {}, {{Grasp{0b1}, 1}, {Grasp{0b10000}, 2}}), 1000U);
 }
 
-// What follows the unwanted ones has the places that it would have otherwise.
+// Routings behind the unwanted ones have the places that they would have otherwise.
 TEST(RoutingBeginning, ThatIsUnwantedIsPassedOver) {
   const GeneratorOptions options{full_parts(), 5};
   LimitedGenerator all(options, {});
