@@ -155,18 +155,17 @@ class BlockForecast {
     return (tension(step_N) - tension(-step_N)) / (2 * step_N);
   }
 
-  // This is the slope of the row's readings against the motor tension, which changes friction.
+  // This is the slope of the row's readings against the motor tension, which changes friction. The
+  // step is small beside the curvature of laws and large beside the solver's tolerance of 1e-10.
   Eigen::VectorXd slope_by_load(const DatasetRow& row) {
-    constexpr double share = 1e-3;
-    const double step_N = share * std::max(row.conditions.motor_tension_N, share);
-    const auto at = [&](double more_N) {
-      Conditions conditions = row.conditions;
-      conditions.motor_tension_N += more_N;
-      conditions = at_tendon(model_, block_.direction, conditions);
-      return readings(row, solve(conditions), conditions.motor_tension_N);
-    };
-    const Eigen::VectorXd above = at(step_N);
-    return (above - at(-step_N)) / (2 * step_N);
+    constexpr double share = 1e-5;
+    constexpr double least_N = 1e-3;
+    const double step_N = share * std::max(row.conditions.motor_tension_N, least_N);
+    Conditions conditions = row.conditions;
+    conditions.motor_tension_N += step_N;
+    conditions = at_tendon(model_, block_.direction, conditions);
+    const Eigen::VectorXd above = readings(row, solve(conditions), conditions.motor_tension_N);
+    return (above - of_row(forecast_.reading_N, row)) / step_N;
   }
 
   // Returns the slope of the row's readings against the scale.

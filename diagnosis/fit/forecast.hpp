@@ -26,7 +26,7 @@ namespace reeve::diagnosis {
 // a finger or a contact.
 Hardware with_sheath_angle(Hardware hardware, double angle_rad);
 
-// Slopes by a recorded motor tension take two further solves where friction depends on the load.
+// Slopes by a recorded motor tension take a further solve where friction depends on the load.
 enum class MotorSlopes : std::uint8_t { solved, left_out };
 
 struct Forecast {
