@@ -18,104 +18,6 @@
 namespace reeve::core {
 namespace {
 
-// Ranges of what is said of a hand.
-
-struct JointRow {
-  const char* name;
-  double FingerJoint::*value;
-  double low;
-  double high;
-  const char* unit;
-};
-constexpr JointRow joint_rows[] = {
-    {"arm_mm", &FingerJoint::arm_mm, 0.01, 1000, "mm"},
-    {"range_deg", &FingerJoint::range_deg, 0.1, 360, "deg"},
-    {"lever_mm", &FingerJoint::lever_mm, 0.01, 1000, "mm"},
-    {"spring_Nmm_rad", &FingerJoint::spring_Nmm_rad, 0, 1e6, "N mm/rad"},
-    {"rest_deg", &FingerJoint::rest_deg, -360, 360, "deg"},
-    {"wrap_deg", &FingerJoint::wrap_deg, 0, 720, "deg"},
-};
-
-constexpr double greatest_force_N = 1e5;
-
-class HandFaultFinder {
- public:
-  explicit HandFaultFinder(const Hardware& hardware) : hardware_(hardware) {}
-
-  const std::optional<InputFault>& first() const { return first_; }
-
-  void look_at(const std::string& where, const FingerParts& parts) {
-    for (std::size_t j = 0; j < parts.joints.size(); ++j) {
-      look_at(fmt::format("{}.joints[{}]", where, j + 1), parts.joints[j]);
-    }
-    range(where + ".force_N", parts.force_N, 0, greatest_force_N, "N");
-    require_small_exponent(where + ".joints", parts.joints);
-  }
-
-  void look_at(const MotorParts& motor) {
-    range("motor.spool_radius_mm", motor.spool_radius_mm, 0.1, 1000, "mm");
-    range("motor.close_s", motor.close_s, 0.001, 3600, "s");
-    range("motor.force_N", motor.force_N, 0.001, greatest_force_N, "N");
-    range("motor.stroke_mm", motor.stroke_mm, 0.001, 1e5, "mm");
-  }
-
-  void require_force(const std::string& where, const FingerParts& own, const FingerParts& common) {
-    const bool has_joints = !own.joints.empty() || !common.joints.empty();
-    if (first_ || !has_joints || own.force_N || common.force_N) return;
-    first_ = {.where = hardware_place(hardware_, where),
-              .what = fmt::format("{}: its joints are given, and no force_N", where),
-              .expected = "the force wanted at the fingertip, there or in [hand]"};
-  }
-
- private:
-  void look_at(const std::string& where, const FingerJoint& joint) {
-    for (const JointRow& row : joint_rows) {
-      range(fmt::format("{}.{}", where, row.name), joint.*row.value, row.low, row.high, row.unit);
-    }
-    range(where + ".held_deg", joint.held_deg, 0, joint.range_deg, "deg");
-    range(where + ".object_deg", joint.object_deg, 0, joint.range_deg, "deg");
-    range(where + ".mu", joint.mu, 0, 1, "");
-    range(where + ".phalanx_mm", joint.phalanx_mm, 0.01, 1000, "mm");
-  }
-
-  void require_small_exponent(const std::string& where, const std::vector<FingerJoint>& joints) {
-    const double exponent = closed_exponent(with_guide_coefficients(joints, hardware_));
-    if (first_ || exponent <= max_exponent) return;
-    first_ = {.where = hardware_place(hardware_, where),
-              .what = where + ": sum of mu * wrap of the closed finger",
-              .value = fmt::format("{:.4g}", exponent),
-              .expected = fmt::format("at most {}", max_exponent),
-              .form = InputForm::equals};
-  }
-
-  void range(const std::string& what, const std::optional<double>& value, double low, double high,
-             const char* unit) {
-    if (first_ || !value || (*value >= low && *value <= high)) return;
-    first_ = {.where = hardware_place(hardware_, what),
-              .what = what,
-              .value = fmt::format("{}", *value),
-              .expected =
-                  fmt::format("a number from {} to {}{}{}", low, high, *unit == 0 ? "" : " ", unit),
-              .form = InputForm::equals};
-  }
-
-  const Hardware& hardware_;
-  std::optional<InputFault> first_;
-};
-
-// The first of the joints, forces and motor that is out of its range or lacks what it needs.
-std::optional<InputFault> hand_fault(const Hardware& hardware) {
-  HandFaultFinder finder(hardware);
-  finder.look_at("hand", hardware.finger_parts);
-  for (const FingerHardware& finger : hardware.fingers) {
-    const std::string where = fmt::format("finger.{}", finger.finger);
-    finder.look_at(where, finger.parts);
-    finder.require_force(where, finger.parts, hardware.finger_parts);
-  }
-  finder.look_at(hardware.motor);
-  return finder.first();
-}
-
 struct Bounds {
   double low = 0;
   double high = 0;
@@ -130,6 +32,27 @@ constexpr Bounds spool_ratios{1e-3, 1e3, ""};
 constexpr Bounds axial_stiffnesses{1, 1e9, "N"};
 constexpr Bounds stiffnesses{1e-3, 1e6, "N/mm"};
 constexpr Bounds slacks{0, 1e6, "mm"};
+constexpr Bounds fingertip_forces{0, 1e5, "N"};
+constexpr Bounds spool_radii{0.1, 1000, "mm"};
+constexpr Bounds closing_times{0.001, 3600, "s"};
+constexpr Bounds motor_forces{0.001, 1e5, "N"};
+constexpr Bounds strokes{0.001, 1e5, "mm"};
+constexpr Bounds guide_coefficients{0, 1, ""};
+constexpr Bounds phalanges{0.01, 1000, "mm"};
+
+struct JointRow {
+  const char* name;
+  double FingerJoint::*value;
+  Bounds bounds;
+};
+constexpr JointRow joint_rows[] = {
+    {"arm_mm", &FingerJoint::arm_mm, {0.01, 1000, "mm"}},
+    {"range_deg", &FingerJoint::range_deg, {0.1, 360, "deg"}},
+    {"lever_mm", &FingerJoint::lever_mm, {0.01, 1000, "mm"}},
+    {"spring_Nmm_rad", &FingerJoint::spring_Nmm_rad, {0, 1e6, "N mm/rad"}},
+    {"rest_deg", &FingerJoint::rest_deg, {-360, 360, "deg"}},
+    {"wrap_deg", &FingerJoint::wrap_deg, {0, 720, "deg"}},
+};
 
 class FaultFinder {
  public:
@@ -149,7 +72,8 @@ class FaultFinder {
     for (const ContactHardware& contact : hardware_.contacts) look_at(contact);
     for (const SpoolHardware& spool : hardware_.spools) look_at(spool);
     look_at(hardware_.tendon);
-    return first_ ? first_ : hand_fault(hardware_);
+    look_at_hand();
+    return first_;
   }
 
  private:
@@ -165,6 +89,19 @@ class FaultFinder {
       }
       seen |= bit;
     }
+  }
+
+  void look_at_hand() {
+    look_at("hand", hardware_.finger_parts);
+    for (const FingerHardware& finger : hardware_.fingers) {
+      const std::string where = fmt::format("finger.{}", finger.finger);
+      look_at(where, finger.parts);
+      require_force(where, finger.parts);
+    }
+    range("motor", "spool_radius_mm", hardware_.motor.spool_radius_mm, spool_radii);
+    range("motor", "close_s", hardware_.motor.close_s, closing_times);
+    range("motor", "force_N", hardware_.motor.force_N, motor_forces);
+    range("motor", "stroke_mm", hardware_.motor.stroke_mm, strokes);
   }
 
   static InputFault fault(std::string where, std::string what, double value, std::string expected) {
@@ -247,6 +184,42 @@ class FaultFinder {
       require_beside(where + ".slack_mm", tendon.slack_mm, parts.travel_mm,
                      "travel_mm in [tendon]: the carriage travel that slack is a part of");
     }
+  }
+
+  void look_at(const std::string& where, const FingerParts& parts) {
+    for (std::size_t j = 0; j < parts.joints.size(); ++j) {
+      look_at(fmt::format("{}.joints[{}]", where, j + 1), parts.joints[j]);
+    }
+    range(where, "force_N", parts.force_N, fingertip_forces);
+    require_small_exponent(where + ".joints", parts.joints);
+  }
+
+  void look_at(const std::string& where, const FingerJoint& joint) {
+    for (const JointRow& row : joint_rows) range(where, row.name, joint.*row.value, row.bounds);
+    range(where, "held_deg", joint.held_deg, {0, joint.range_deg, "deg"});
+    range(where, "object_deg", joint.object_deg, {0, joint.range_deg, "deg"});
+    range(where, "mu", joint.mu, guide_coefficients);
+    range(where, "phalanx_mm", joint.phalanx_mm, phalanges);
+  }
+
+  void require_small_exponent(const std::string& where, const std::vector<FingerJoint>& joints) {
+    if (first_ || joints.empty()) return;
+    const double exponent = closed_exponent(with_guide_coefficients(joints, hardware_));
+    if (exponent <= max_exponent) return;
+    first_ = {.where = hardware_place(hardware_, where),
+              .what = where + ": sum of mu * wrap of the closed finger",
+              .value = fmt::format("{:.4g}", exponent),
+              .expected = fmt::format("at most {}", max_exponent),
+              .form = InputForm::equals};
+  }
+
+  void require_force(const std::string& where, const FingerParts& own) {
+    const FingerParts& common = hardware_.finger_parts;
+    const bool has_joints = !own.joints.empty() || !common.joints.empty();
+    if (first_ || !has_joints || own.force_N || common.force_N) return;
+    first_ = {.where = hardware_place(hardware_, where),
+              .what = fmt::format("{}: its joints are given, and no force_N", where),
+              .expected = "the force wanted at the fingertip, there or in [hand]"};
   }
 
   void require_beside(const std::string& key, const std::optional<double>& value,
