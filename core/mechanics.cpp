@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/hand.hpp"
@@ -56,7 +57,7 @@ int highest_finger(const ContactHardware& contact) {
   return std::max(name.from.finger, name.to.finger);
 }
 
-MechanicsBuilder::MechanicsBuilder(const Hardware& hardware) : hardware_(hardware) {
+MechanicsBuilder::MechanicsBuilder(Hardware hardware) : hardware_(std::move(hardware)) {
   validate(hardware_);
   for (const ContactKind kind : {ContactKind::tube, ContactKind::bearing, ContactKind::sheath,
                                  ContactKind::block, ContactKind::bar}) {

@@ -42,7 +42,7 @@ struct Mechanics {
 class MechanicsBuilder {
  public:
   // Throws InputError of a fault of the hardware, and of a name that is no segment's.
-  explicit MechanicsBuilder(const Hardware& hardware);
+  explicit MechanicsBuilder(Hardware hardware);
 
   // In place of what the hardware says of a kind but a bar, for who varies coefficients; what it
   // says of one finger or one contact stays. The law is one that there can be.

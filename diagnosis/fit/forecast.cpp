@@ -30,24 +30,37 @@ struct NoForecast {
   std::string why;
 };
 
-Hardware hardware_of(const Model& model, const ReadingBlock& block) {
-  return effective_hardware(block.sheath_angle_rad
-                                ? with_sheath_angle(model.hardware, *block.sheath_angle_rad)
-                                : model.hardware,
-                            model.effects);
-}
-
-class BlockForecast {
+// What the hardware makes of a network at a row's own sheath angle, prepared once for all rows that
+// follow with the same.
+class MechanicsByAngle {
  public:
-  BlockForecast(const Dataset& dataset, const Model& model, const ReadingBlock& block,
-                const Hardware& hardware, MotorSlopes slopes, Forecast& forecast,
-                RowContacts* contacts)
+  explicit MechanicsByAngle(const Model& model) : model_(model) {}
+
+  // Throws InputError if there is no such hardware.
+  const MechanicsBuilder& at(std::optional<double> sheath_angle_rad) {
+    if (!builder_ || angle_rad_ != sheath_angle_rad) {
+      angle_rad_ = sheath_angle_rad;
+      builder_.emplace(effective_hardware(
+          angle_rad_ ? with_sheath_angle(model_.hardware, *angle_rad_) : model_.hardware,
+          model_.effects));
+    }
+    return *builder_;
+  }
+
+ private:
+  const Model& model_;
+  std::optional<double> angle_rad_;
+  std::optional<MechanicsBuilder> builder_;
+};
+
+class RoutingForecast {
+ public:
+  RoutingForecast(const Dataset& dataset, const Model& model, std::size_t routing,
+                  MotorSlopes slopes, Forecast& forecast, RowContacts* contacts)
       : dataset_(dataset),
         model_(model),
-        block_(block),
-        routing_(dataset.data->routings[block.routing]),
-        solver_(model, hardware, routing_.word, routing_.network),
-        grasp_(actual_grasp(model, routing_.word, block.recorded)),
+        routing_(dataset.data->routings[routing]),
+        solver_(model),
         by_row_(reaches(model, Reach::conditions) || reaches(model, Reach::load)),
         by_load_(reaches(model, Reach::load)),
         linear_(reads_linearly(model)),
@@ -63,23 +76,31 @@ class BlockForecast {
     }
   }
 
-  // True if the tensions of all its rows are in range.
-  bool run() {
+  // True if the tensions of all rows of this block are in range.
+  bool run(const ReadingBlock& block, const MechanicsBuilder& builder) {
+    builder.apply(routing_.network, plain_);
+    solver_.set_routing(routing_.word, routing_.network, plain_);
+    grasp_ = actual_grasp(model_, routing_.word, block.recorded);
+    direction_ = block.direction;
+    in_range_ = true;
     const TensionState* state = nullptr;
-    for (const std::size_t r : block_.rows) {
+    for (const std::size_t r : block.rows) {
       const DatasetRow& row = dataset_.rows[r];
-      const Conditions conditions = row.has_motor_tension
-                                        ? at_tendon(model_, block_.direction, row.conditions)
-                                        : row.conditions;
+      const Conditions conditions =
+          row.has_motor_tension ? at_tendon(model_, direction_, row.conditions) : row.conditions;
       if (state == nullptr || by_row_) state = &solve(conditions);
       forecast_.jams[r] = state->jams;
       if (row.has_motor_tension) {
-        read(row, *state, conditions.motor_tension_N);
+        read_at(row, *state, conditions.motor_tension_N, of_row(forecast_.reading_N, row));
         note_contacts(r, conditions.motor_tension_N);
         if (slopes_ == MotorSlopes::left_out) continue;
-        of_row(forecast_.by_scale, row) =
-            by_load_ ? slope_by_load(row)
-                     : arriving(row) * slope(row, *state, conditions.motor_tension_N);
+        auto slopes = of_row(forecast_.by_scale, row);
+        if (by_load_) {
+          write_slope_by_load(row, slopes);
+        } else {
+          write_slope(row, *state, conditions.motor_tension_N, slopes);
+          slopes *= arriving(row);
+        }
       } else {
         note_contacts(r, read_scaled(row, *state));
       }
@@ -88,34 +109,36 @@ class BlockForecast {
   }
 
  private:
+  using Cells = Eigen::Ref<Eigen::VectorXd>;
+
   const TensionState& solve(const Conditions& conditions) {
-    const TensionState& state = solver_.solve(grasp_, block_.direction, conditions);
+    const TensionState& state = solver_.solve(grasp_, direction_, conditions);
     in_range_ &= state.in_range;
     return state;
   }
 
-  // Returns the readings of the row's cells. A sensor also reads a share of its neighbours'
+  static Cells of_row(Eigen::VectorXd& cells, const DatasetRow& row) {
+    return cells.segment(static_cast<Eigen::Index>(row.first),
+                         static_cast<Eigen::Index>(row.last - row.first));
+  }
+
+  // Writes the readings of the row's cells. A sensor also reads a share of its neighbours'
   // tensions, even where these have no cell.
-  Eigen::VectorXd readings(const DatasetRow& row, const TensionState& state, double scale) {
+  void read_at(const DatasetRow& row, const TensionState& state, double scale, Cells cells) {
     for (std::size_t s = 0; s < sensors_.size(); ++s) {
       sensors_[s].reading_N = scale * state.tension[segments_[s]];
     }
     causes::read(model_, row.conditions, sensors_);
-    Eigen::VectorXd result(static_cast<Eigen::Index>(row.last - row.first));
-    for (std::size_t i = row.first; i < row.last; ++i) {
-      result[static_cast<Eigen::Index>(i - row.first)] =
-          sensors_[place_[dataset_.cells[i].channel]].reading_N;
+    for (Eigen::Index i = 0; i < cells.size(); ++i) {
+      const Cell& cell = dataset_.cells[row.first + static_cast<std::size_t>(i)];
+      cells[i] = sensors_[place_[cell.channel]].reading_N;
     }
-    return result;
   }
 
-  void read(const DatasetRow& row, const TensionState& state, double motor_tension_N) {
-    of_row(forecast_.reading_N, row) = readings(row, state, motor_tension_N);
-  }
-
-  static Eigen::VectorBlock<Eigen::VectorXd> of_row(Eigen::VectorXd& cells, const DatasetRow& row) {
-    return cells.segment(static_cast<Eigen::Index>(row.first),
-                         static_cast<Eigen::Index>(row.last - row.first));
+  const Eigen::VectorXd& readings(const DatasetRow& row, const TensionState& state, double scale) {
+    readings_.resize(static_cast<Eigen::Index>(row.last - row.first));
+    read_at(row, state, scale, readings_);
+    return readings_;
   }
 
   void note_contacts(std::size_t row, double motor_tension_N) {
@@ -138,8 +161,8 @@ class BlockForecast {
       const double last = std::exchange(scale, fit_scale(row, *state));
       if (std::abs(scale - last) <= settled * scale) break;
     }
-    read(row, *state, scale);
-    of_row(forecast_.by_scale, row) = slope(row, *state, scale);
+    read_at(row, *state, scale, of_row(forecast_.reading_N, row));
+    write_slope(row, *state, scale, of_row(forecast_.by_scale, row));
     return scale;
   }
 
@@ -150,44 +173,45 @@ class BlockForecast {
     const auto tension = [&](double more_N) {
       Conditions conditions = row.conditions;
       conditions.motor_tension_N += more_N;
-      return at_tendon(model_, block_.direction, conditions).motor_tension_N;
+      return at_tendon(model_, direction_, conditions).motor_tension_N;
     };
     return (tension(step_N) - tension(-step_N)) / (2 * step_N);
   }
 
-  // This is the slope of the row's readings against the motor tension, which changes friction. The
+  // Writes the slopes of the row's readings against the motor tension, which changes friction. The
   // step is small beside the curvature of laws and large beside the solver's tolerance of 1e-10.
-  Eigen::VectorXd slope_by_load(const DatasetRow& row) {
+  void write_slope_by_load(const DatasetRow& row, Cells slopes) {
     constexpr double share = 1e-5;
     constexpr double least_N = 1e-3;
     const double step_N = share * std::max(row.conditions.motor_tension_N, least_N);
     Conditions conditions = row.conditions;
     conditions.motor_tension_N += step_N;
-    conditions = at_tendon(model_, block_.direction, conditions);
-    const Eigen::VectorXd above = readings(row, solve(conditions), conditions.motor_tension_N);
-    return (above - of_row(forecast_.reading_N, row)) / step_N;
+    conditions = at_tendon(model_, direction_, conditions);
+    read_at(row, solve(conditions), conditions.motor_tension_N, slopes);
+    slopes = (slopes - of_row(forecast_.reading_N, row)) / step_N;
   }
 
-  // Returns the slope of the row's readings against the scale.
-  Eigen::VectorXd slope(const DatasetRow& row, const TensionState& state, double scale) {
-    if (linear_) return readings(row, state, 1) - readings(row, state, 0);
+  // Writes the slopes of the row's readings against the scale.
+  void write_slope(const DatasetRow& row, const TensionState& state, double scale, Cells slopes) {
     constexpr double step = 1e-6;  // as a share of the scale
-    const double beside = scale > 0 ? step * scale : step;
-    return (readings(row, state, scale + beside) - readings(row, state, scale)) / beside;
+    const double from = linear_ ? 0 : scale;
+    const double by = linear_ ? 1 : scale > 0 ? step * scale : step;
+    read_at(row, state, from + by, slopes);
+    slopes = (slopes - readings(row, state, from)) / by;
   }
 
   double fit_scale(const DatasetRow& row, const TensionState& state) {
     if (!linear_) return least_scale(row, state);
-    const Eigen::VectorXd zero = readings(row, state, 0);
-    const Eigen::VectorXd one = readings(row, state, 1);
-    double measured = 0;
-    double by_scale = 0;
-    for (std::size_t i = row.first; i < row.last; ++i) {
-      const auto at = static_cast<Eigen::Index>(i - row.first);
-      measured += dataset_.cells[i].measured_N - zero[at];
-      by_scale += one[at] - zero[at];
-    }
+    const double zero = readings(row, state, 0).sum();
+    const double by_scale = readings(row, state, 1).sum() - zero;
+    const double measured = measured_sum(row) - zero;
     return by_scale > 0 && measured > 0 ? measured / by_scale : 0;
+  }
+
+  double measured_sum(const DatasetRow& row) const {
+    double sum = 0;
+    for (std::size_t i = row.first; i < row.last; ++i) sum += dataset_.cells[i].measured_N;
+    return sum;
   }
 
   // Readings that do not fall with the scale, by halving: the least scale at which they add up to
@@ -196,9 +220,7 @@ class BlockForecast {
     constexpr double beyond_any_rig_N = 1e9;
     constexpr int halvings = 100;
     const auto sum = [&](double scale) { return readings(row, state, scale).sum(); };
-    double measured = 0;
-    for (std::size_t i = row.first; i < row.last; ++i) measured += dataset_.cells[i].measured_N;
-    const double target = std::min(measured, sum(beyond_any_rig_N));
+    const double target = std::min(measured_sum(row), sum(beyond_any_rig_N));
     double low = 0;
     double high = beyond_any_rig_N;
     for (int i = 0; i < halvings; ++i) {
@@ -210,10 +232,8 @@ class BlockForecast {
 
   const Dataset& dataset_;
   const Model& model_;
-  const ReadingBlock& block_;
   const MeasuredRouting& routing_;
   ModelSolver solver_;
-  Grasp grasp_;
   bool by_row_;
   bool by_load_;
   bool linear_;
@@ -223,7 +243,12 @@ class BlockForecast {
   std::vector<std::size_t> place_;     // index of each channel among the sensors
   Forecast& forecast_;
   RowContacts* contacts_;
+  // Of the block at hand.
+  Mechanics plain_;
+  Grasp grasp_;
+  Direction direction_ = Direction::pull;
   bool in_range_ = true;
+  Eigen::VectorXd readings_;  // memory of `readings`
 };
 
 std::variant<Forecast, NoForecast> attempt(const Dataset& dataset, const Model& model,
@@ -231,13 +256,18 @@ std::variant<Forecast, NoForecast> attempt(const Dataset& dataset, const Model& 
   const auto n = static_cast<Eigen::Index>(dataset.cells.size());
   Forecast result{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n),
                   std::vector<bool>(dataset.rows.size(), false)};
+  MechanicsByAngle mechanics(model);
+  std::vector<std::optional<RoutingForecast>> routings(dataset.data->routings.size());
   for (const ReadingBlock& block : dataset.blocks) {
     const std::size_t reading = dataset.rows[block.rows.front()].reading;
-    const Hardware hardware = hardware_of(model, block);
-    if (const auto found = fault(hardware)) return NoForecast{reading, sentence(*found)};
-    if (!BlockForecast(dataset, model, block, hardware, slopes, result, contacts).run()) {
-      return NoForecast{reading, "friction is so strong that tensions fall out of range"};
+    std::optional<RoutingForecast>& routing = routings[block.routing];
+    if (!routing) routing.emplace(dataset, model, block.routing, slopes, result, contacts);
+    try {
+      if (routing->run(block, mechanics.at(block.sheath_angle_rad))) continue;
+    } catch (const InputError& error) {
+      return NoForecast{reading, error.what()};
     }
+    return NoForecast{reading, "friction is so strong that tensions fall out of range"};
   }
   return result;
 }
