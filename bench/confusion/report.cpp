@@ -127,6 +127,13 @@ std::string named_right(const std::vector<const Outcome*>& seen, const std::stri
 
 bool wrong(const Outcome& outcome) { return names_wrong(outcome, outcome.finding); }
 
+// A name of the library for what it does not hold.
+bool misnames(const Outcome& outcome) {
+  const auto& named = outcome.finding.named;
+  return std::any_of(named.begin(), named.end(),
+                     [](const std::string& name) { return !name.starts_with("law["); });
+}
+
 std::string verdicts(const std::vector<const Outcome*>& outcomes) {
   std::map<std::string, std::size_t> counts;
   for (const Outcome* outcome : outcomes) ++counts[verdict_name(outcome->finding.verdict)];
@@ -224,8 +231,8 @@ std::string rates(Part part, const std::vector<const Outcome*>& seen, double vis
              plain("something wrong named", rate(seen, wrong)) + "\n" + coverage(seen) +
              gains(seen);
     case Part::unknown:
-      return at_least("unexplained", rate(seen, as_it_should_be), 90) +
-             plain("a cause of the library named with it", rate(seen, wrong)) + "\n";
+      return at_least("unexplained, or a law", rate(seen, as_it_should_be), 90) +
+             plain("a cause of the library named", rate(seen, misnames)) + "\n";
     case Part::alias:
       return at_least("indistinguishable, with both names", rate(seen, reports_both), 95) +
              at_least("resolved with the further runs", rate(seen, resolves), 95);
@@ -275,7 +282,8 @@ bool as_it_should_be(const Outcome& outcome) {
   const Finding& finding = outcome.finding;
   switch (outcome.trial.part) {
     case Part::unknown:
-      return finding.verdict == Verdict::unexplained;
+      return finding.verdict == Verdict::unexplained ||
+             (!finding.named.empty() && !misnames(outcome));
     case Part::alias:
       return reports_both(outcome);
     case Part::dirty:

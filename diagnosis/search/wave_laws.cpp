@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr std::size_t enough_values = 8;
-constexpr int most_waves = 28;               // half periods over the range
+constexpr int most_waves = 64;               // half periods over the range
 constexpr std::size_t waves_of_a_lever = 8;  // number of waves fitted closely
 
 struct Waves {
