@@ -272,10 +272,7 @@ Eigen::MatrixXd sensitivity(const Problem& problem, const Model& model, const Fo
     auto column = result.col(static_cast<Index>(p));
     const std::optional<Forecast> above = moved(problem, model, effect, p, up);
     const std::optional<Forecast> below = moved(problem, model, effect, p, down);
-    if (above && below && problem.motor_deviation_N.size() > 0) {
-      // The estimated true motor tensions change with the model.
-      column = (residuals(problem, *below) - residuals(problem, *above)) / (up - down);
-    } else if (above && below) {
+    if (above && below) {
       column = (difference(problem, at, *above) - difference(problem, at, *below)) / (up - down);
     } else {
       column.setZero();  // at the edge of what has tensions
