@@ -345,7 +345,7 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
   command.add_option("--beside-ends", beside,
                      "Joins that may stand beside an end or a block's tail, such as P in F-P-1x");
   command.add_flag("--linked", linked,
-                   "Also blocks tied tail to tail, such as Y1-Y2 in M-Y1-1x+Y1-Y2+2x-Y2-3x");
+                   "Also blocks tied tail to tail, such as Y1-Y2+1x-Y1-2x+M-Y2-3x");
   command
       .add_option("--motors", motors,
                   "Number of motors, each of which pulls a tendon, such as 2 in M-1-M2")
