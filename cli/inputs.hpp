@@ -182,6 +182,7 @@ struct GeneratorFlags {
   int blocks = 0;
   int motors = 1;
   std::string beside;
+  bool linked = false;
   std::string tendons = "any";
   bool distinct = false;
 

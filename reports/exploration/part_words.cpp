@@ -35,6 +35,7 @@ std::string parts_text(const PartSet& parts) {
   if (parts.blocks > 0) text += "; up to " + blocks_text(parts.blocks);
   if (parts.motors > 1) text += fmt::format("; {} motors", parts.motors);
   if (!parts.beside.empty()) text += "; beside ends " + spaced_list(beside_text(parts));
+  if (parts.linked) text += "; linked blocks";
   return text;
 }
 
@@ -64,6 +65,7 @@ Json parts_json(const PartSet& parts) {
             {"blocks", parts.blocks}};
   if (parts.motors > 1) json["motors"] = parts.motors;
   if (!parts.beside.empty()) json["beside_ends"] = beside_text(parts);
+  if (parts.linked) json["linked"] = true;
   return json;
 }
 

@@ -17,6 +17,7 @@ struct PartSet {
   int blocks = 0;                   // greatest number of floating blocks in a routing
   int motors = 1;                   // every routing of several motors uses all of them
   std::vector<TokenKind> beside{};  // joins that may stand beside an end or a tail: F-P-1x, Y1-P-Y2
+  bool linked = false;              // true if two tails may be tied to each other: Y1-Y2
 };
 
 // Greatest number of floating blocks in generated routings.

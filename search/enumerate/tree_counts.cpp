@@ -180,7 +180,7 @@ std::uint64_t loops_through_pass(const PartSet& parts, int m, FingerIdentity ide
 }
 
 MirroredString between_tails(const PartSet& parts, int m, FingerIdentity identity) {
-  if (m == 0) return {parts.beside.size(), 1};
+  if (m == 0) return {parts.beside.size() + (parts.linked ? 1 : 0), 1};
   MirroredString string = mirrored(parts, m, identity);
   string.halves = times(string.halves, end_variants(parts));
   return string;

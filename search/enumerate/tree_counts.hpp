@@ -11,9 +11,9 @@
 //                    fingers and k-1 blocks, and for k = 1 the loops of n fingers and the pass
 //   tree     R(n,k)  k > 0: M-Y1, or an end, a join and a tail of which not both are fixed to the
 //                    hand, C(n,k) each; one tail and an end or an anchored tip,
-//                    v Σ_m (e t^m + x t^(m-1)) J^(m-1) C(n-m,k); b joins between two tails, or
-//                    m fingers: an unordered pair of branches, each with half of the walk, about
-//                    the bead in its middle
+//                    v Σ_m (e t^m + x t^(m-1)) J^(m-1) C(n-m,k); between two tails nothing, where
+//                    they may be linked, b joins, or m fingers: an unordered pair of branches, each
+//                    with half of the walk, about the bead in its middle
 // Unordered pairs of equals are counted by (X² + X)/2 (Burnside for the reversal). With distinct
 // fingers nothing is its own reversal, so the first of a pair is the one with the least finger.
 // Where motors are renamed (counting.hpp), the X that stands alone counts what the renaming, done
@@ -88,7 +88,8 @@ struct MirroredString {
 };
 MirroredString mirrored(const PartSet& parts, int m, FingerIdentity identity);
 
-// … with what may stand beside the two tails at its ends; for m = 0 a join between them.
+// … with what may stand beside the two tails at its ends; for m = 0 a join between them, before
+// all joins none where tails may be linked.
 MirroredString between_tails(const PartSet& parts, int m, FingerIdentity identity);
 
 // Loops of m fingers and a pass.
@@ -130,8 +131,8 @@ inline std::uint64_t pairs(const PairSide& side, const SizePair& split, FingerId
 struct TreeCounts {
   SizeTable halves;
   SizeTable branches;
-  // Roots with m fingers between two tails, [m], or for [0] a join, by the size of what hangs on
-  // both.
+  // Roots with m fingers between two tails, [m], or for [0] a join or nothing, by the size of what
+  // hangs on both.
   std::vector<SizeTable> two_tailed;
   SizeTable trees;  // trees with at least one block
 };

@@ -215,7 +215,7 @@ void TreeDecoder::decode_two_tailed(int m, TreeSize below, FingerSet fingers, Di
   const MirroredString string = between_tails(parts_, m, identity_);
   FingerSet own = take_some(fingers, m, digits, identity_);
   if (m == 0) {
-    append_beside(1 + digits.take(string.middles), tendon.middle);
+    append_beside(digits.take(string.middles) + (parts_.linked ? 0 : 1), tendon.middle);
   } else if (identity_ == FingerIdentity::distinct) {
     append_string(m, own, digits, tendon.middle);
   } else {

@@ -74,7 +74,10 @@ TreeParts::Sort TreeParts::to_end(int m) {
   });
 }
 
-TreeParts::Sort TreeParts::middle(int m) { return m % 2 == 1 ? tips() : joins(); }
+TreeParts::Sort TreeParts::middle(int m) {
+  if (m == 0) return parts_.linked ? empty_ : nothing_;
+  return m % 2 == 1 ? tips() : joins();
+}
 
 TreeParts::Sort TreeParts::mirrored_half(int m) {
   return known(mirrored_, m, 0, [&] {
@@ -130,6 +133,7 @@ TreeParts::Sort TreeParts::branch(TreeSize size) {
 }
 
 TreeParts::Sort TreeParts::two_tailed(int m, TreeSize below) {
+  if (numbered_.size(middle(m)) == 0) return nothing_;
   std::vector<Sort> pairs;
   append_pairs(
       below, [&](TreeSize member) { return numbered_.both(mirrored_half(m), branch(member)); },
@@ -143,9 +147,9 @@ TreeParts::Sort TreeParts::tree(TreeSize size) {
     if (may_hang_on_motor(parts_)) {
       sorts.push_back(numbered_.with(branch(size), classes_.of(motor_end())));
     }
-    for (int m = 1; m < size.fingers; ++m) {
+    for (int m = 0; m < size.fingers; ++m) {
       const TreeSize below{size.fingers - m, size.blocks};
-      sorts.push_back(numbered_.both(to_end(m), branch(below)));
+      if (m > 0) sorts.push_back(numbered_.both(to_end(m), branch(below)));
       sorts.push_back(two_tailed(m, below));
     }
     return numbered_.trees(numbered_.one_after_the_other(sorts));

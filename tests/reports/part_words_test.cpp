@@ -18,15 +18,19 @@ TEST(PartsText, CountsOneBlockAndMore) {
   EXPECT_FALSE(has(parts_text(search::paper_parts()), "block"));
 }
 
-TEST(PartsText, NamesSeveralMotorsAndJoinsBesideEnds) {
+TEST(PartsText, NamesSeveralMotorsJoinsBesideEndsAndLinkedBlocks) {
   PartSet parts = search::paper_parts();
   EXPECT_FALSE(parts_json(parts).contains("motors"));
   EXPECT_FALSE(parts_json(parts).contains("beside_ends"));
+  EXPECT_FALSE(parts_json(parts).contains("linked"));
   parts.motors = 2;
   parts.beside = search::parse_joins("B,P");
   EXPECT_EQ(parts_text(parts), "tips tube; joins T, P; ends M, F; 2 motors; beside ends B, P");
   EXPECT_EQ(parts_json(parts)["motors"], 2);
   EXPECT_EQ(parts_json(parts)["beside_ends"], "B,P");
+  parts.linked = true;
+  EXPECT_TRUE(has(parts_text(parts), "; beside ends B, P; linked blocks"));
+  EXPECT_EQ(parts_json(parts)["linked"], true);
 }
 
 TEST(LeftOutText, NamesThePartsAndTheOptionThatAsksForThem) {

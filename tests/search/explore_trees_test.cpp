@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,22 @@ TEST(ExploreTrees, ThePulleyAtTheHandIsOnTheFrontBesideTR7) {
   EXPECT_EQ(result.rejected.front().count, 480U - 283U);
 
   EXPECT_TRUE(is_among("M-Y1+1x-Y1-2x", explore(options_for(all_parts(), 2)).front));
+}
+
+// With r = e^−φ of a block, M and finger 3 have the tensions 1 : r, and the other two fingers share
+// 1 + r: in equal parts, or 1 : r if one of them is held.
+TEST(ExploreTrees, LinkedBlocksMakeThreeEqualFingersWithOneSheath) {
+  PartSet parts = with_blocks(all_parts(), 2);
+  const Objectives with_sheaths{Objective::uniformity_mean, Objective::efficiency_mean,
+                                Objective::sheaths};
+  const std::string word = "Y1-Y2+1x-Y1-2x+M-Y2-3x";
+  EXPECT_FALSE(is_among(word, explore(options_for(parts, 3, with_sheaths)).front));
+  parts.linked = true;
+  const ExploreResult result = explore(options_for(parts, 3, with_sheaths));
+  EXPECT_EQ(result.top.front().design.word, word);
+  const double r = std::exp(-0.001 * std::numbers::pi);
+  EXPECT_NEAR(value(result.top.front().design.values, Objective::uniformity_mean),
+              (2 * 2 * r / (1 + r) + 2 * r) / 4, 1e-9);
 }
 
 // Of the options' references, too: a tree that was generated is found by its word.

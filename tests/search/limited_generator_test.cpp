@@ -127,8 +127,12 @@ TEST(LimitedGenerator, GivesOfFloatingBlocksThoseWithinTheLimits) {
       }
     }
   }
-  expect_all(generating(with_blocks(all_parts(), 2), 3, identical), {"sheaths<=1", "pulleys<=2"});
-  expect_all(generating(with_blocks(anchored(paper_parts()), 4), 4, identical), {"sheaths<=1"}, 3);
+  for (const PartSet& parts : {all_parts(), linked(all_parts())}) {
+    expect_all(generating(with_blocks(parts, 2), 3, identical), {"sheaths<=1", "pulleys<=2"});
+  }
+  for (const PartSet& parts : {anchored(paper_parts()), linked(anchored(paper_parts()))}) {
+    expect_all(generating(with_blocks(parts, 4), 4, identical), {"sheaths<=1"}, 3);
+  }
 }
 
 TEST(LimitedGenerator, KeepsToRandomLimits) {

@@ -70,6 +70,7 @@ std::vector<PartSet> various_parts() {
   sets.push_back(full_parts());
   const std::size_t many = sets.size();
   for (std::size_t i = 0; i < many; ++i) sets.push_back(anchored(sets[i]));
+  for (std::size_t i = 0; i < 2 * many; ++i) sets.push_back(linked(sets[i]));
   return sets;
 }
 
@@ -122,6 +123,7 @@ TEST(TreeCounts, OfJoinsBesideEndsAreThoseOfBruteForce) {
       }
     }
     expect_brute_force(with_beside(parts_of("tube", "T", "M,F"), "P"), 2, 2, identity);
+    expect_brute_force(linked(with_beside(parts_of("tube", "", "M,F"), "P")), 2, 2, identity);
     expect_brute_force(with_beside(anchored(parts_of("tube", "", "F")), "P"), 3, 2, identity);
     const PartSet of_two_motors =
         with_motors(with_beside(anchored(parts_of("tube", "P", "F")), "P"), 2);
@@ -134,7 +136,7 @@ TEST(TreeCounts, OfJoinsBesideEndsAreThoseOfBruteForce) {
 TEST(TreeCounts, OfThreeFingersAreThoseOfBruteForce) {
   expect_brute_force(anchored(paper_parts()), 3, 0, distinct);
   expect_brute_force(anchored(paper_parts()), 3, 1, distinct);
-  expect_brute_force(anchored(paper_parts()), 3, 2, identical);
+  expect_brute_force(linked(anchored(paper_parts())), 3, 2, identical);
   expect_brute_force(anchored(full_parts()), 3, 1, identical);
 }
 

@@ -44,7 +44,10 @@ std::vector<GeneratorOptions> small_searches() {
     for (const PartSet& parts : odd_parts()) {
       searches.push_back(generating(tied(parts, 2), 3, identical, one_tree));
       searches.push_back(generating(tied(parts, 2), 2, distinct, one_tree));
+      searches.push_back(generating(linked(tied(parts, 3)), 3, identical, one_tree));
+      searches.push_back(generating(linked(tied(parts, 2)), 3, distinct, one_tree));
     }
+    searches.push_back(generating(linked(tied(paper_parts(), 4)), 2, identical, one_tree));
   }
   return searches;
 }
@@ -113,6 +116,21 @@ TEST(TreeGenerator, JoinsBesideEndsAndTails) {
   EXPECT_EQ(found, 1U);
 }
 
+TEST(TreeGenerator, LinkedBlocks) {
+  const PartSet few = with_blocks(parts_of("tube", "", "F"), 2);
+  std::vector<std::string> added = generated_words(generating(linked(few), 2, identical));
+  for (const std::string& word : generated_words(generating(few, 2, identical))) {
+    EXPECT_EQ(std::erase(added, word), 1U) << word;
+  }
+  EXPECT_EQ(added, (std::vector<std::string>{"Y1-Y2+1-Y1-1+2-Y2-2", "Y1-Y2+F-1-Y1-F+2-Y2-2",
+                                             "Y1-Y2+F-1-Y1-F+F-2-Y2-F"}));
+  const Routing hand = canonical(parse_routing("M-Y1-1x+Y1-Y2+2x-Y2-3x"), identical);
+  std::uint64_t found = 0;
+  for_each_generated(generating(linked(tied(parts_of("tube", "T", "M"), 2)), 3, identical),
+                     [&](const Routing& routing) { found += routing == hand ? 1 : 0; });
+  EXPECT_EQ(found, 1U);
+}
+
 TEST(TreeGenerator, MoreBlocksComeBehindFewer) {
   const auto fewer = generated_words(generating(tied(paper_parts(), 1), 3, identical));
   auto more = generated_words(generating(tied(paper_parts(), 2), 3, identical));
@@ -152,7 +170,8 @@ TEST(TreeGenerator, NoTwoRoutingsAreTheSame) {
   const PartSet few = parts_of("tube", "T", "M,F");
   for (const GeneratorOptions& o :
        {generating(tied(paper_parts(), 2), 2, identical), generating(tied(few, 3), 2, identical),
-        generating(tied(few, 2), 3, identical), generating(tied(few, 2), 4, identical)}) {
+        generating(tied(few, 2), 3, identical), generating(tied(few, 2), 4, identical),
+        generating(linked(tied(few, 4)), 2, identical)}) {
     GraphClasses classes(25);
     std::uint64_t given = 0;
     for_each_generated(o, [&](const Routing& routing) {

@@ -31,6 +31,7 @@ struct Tie {
 struct PortParts {
   std::size_t tips;  // the kind behind them is an anchored tip
   bool anchored;
+  bool linked;
   std::size_t joins;  // passive ones first
   std::size_t passive_joins;
   std::size_t ends;  // motor ones first
@@ -48,6 +49,7 @@ PortParts port_parts(const CountedTreeParts& counted) {
   const CountedParts& parts = counted.parts;
   return {many(parts.tube_like_tips),
           counted.anchored,
+          counted.linked,
           many(parts.passive_joins + parts.motor_joins * counted.motors),
           many(parts.passive_joins),
           many(parts.motor_ends * counted.motors + parts.fixed_ends),
@@ -109,7 +111,8 @@ class Search {
       if (ties_[other].partner != nothing || has_free_twin_before(port, other)) continue;
       const PortKind kind = ports_[port].kind;
       const std::size_t joins = ways_to_join(kind, ports_[other].kind);
-      const bool must_join = kind == PortKind::tail && ports_[other].kind == PortKind::tail;
+      const bool must_join =
+          kind == PortKind::tail && ports_[other].kind == PortKind::tail && !kinds_.linked;
       for (std::size_t join = must_join ? 1 : 0; join < joins; ++join) with(port, other, join);
     }
   }

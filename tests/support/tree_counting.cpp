@@ -4,7 +4,7 @@
 //
 //   half-walk  H = (x z + t z E) / (1 − j t z) + E
 //   block      C = y [ (H² + swap(H)) / 2 − pairs of bare M, F + loops through the pass ]
-//   root       M C + t z (E² + swap(E)) / 2 + x z E
+//   root       M C + t z (E² + swap(E)) / 2 + x z E + linked (C² + swap(C)) / 2
 //                  + ( A² j / (1 − j t z) + swap(A) palindromes ) / 2 + loops,   A = x z + t z E
 //
 // Identical fingers: ordinary series, swap(f)(z, y) = f(z², y²), and the Euler transform of trees.
@@ -125,6 +125,7 @@ struct Kinds {
   std::int64_t motors;
   std::int64_t ends;
   std::int64_t anchors;
+  bool linked;
 };
 
 // 1 / (1 − j t z): fingers with a join behind each.
@@ -199,6 +200,7 @@ Series trees(const Ring& ring, const Kinds& kinds) {
   const Series last = kinds.anchors * z + kinds.tips * (z * end);
   Series sum = kinds.motors * below;
   sum = sum + kinds.tips * (z * half(end * end + swap(end))) + kinds.anchors * (z * end);
+  if (kinds.linked) sum = sum + half(below * below + swap(below));
   sum = sum +
         half(kinds.joins * (last * last * chains(ring, kinds)) + palindromes(ring, kinds, last));
   for (std::size_t m = 1; m <= ring.fingers; ++m) {
@@ -255,10 +257,12 @@ RoutingCounts count_trees(const CountedTreeParts& counted, int fingers, int bloc
   const std::int64_t anchors = counted.anchored ? 1 : 0;
   const int joins = parts.passive_joins + parts.motor_joins;
   const int ends = parts.motor_ends + parts.fixed_ends;
-  const auto all =
-      series::trees(ring, {parts.tube_like_tips, joins, parts.motor_ends, ends, anchors});
-  const auto passive = series::trees(
-      ring, {parts.tube_like_tips, parts.passive_joins, 0, parts.fixed_ends, anchors});
+  const auto trees_with = [&](int with_joins, int motor_ends, int with_ends) {
+    return series::trees(
+        ring, {parts.tube_like_tips, with_joins, motor_ends, with_ends, anchors, counted.linked});
+  };
+  const auto all = trees_with(joins, parts.motor_ends, ends);
+  const auto passive = trees_with(parts.passive_joins, 0, parts.fixed_ends);
   const auto actuated = all + (-1) * passive;
   const auto routings = [&](const series::Series& trees) {
     const auto sets = identical_fingers ? series::multisets(trees) : series::labelled_sets(trees);
