@@ -115,6 +115,21 @@ TEST(KnownNoise, OfTheMotorTensionMakesTheFitOneOfErrorsInVariables) {
   EXPECT_NEAR(gain, 1.1, 0.02);
 }
 
+// Screening would else see what is left of it in the residuals, and call that a law.
+TEST(KnownNoise, OfTheMotorTensionLeavesNothingOfAFittedParameter) {
+  MeasuredData data = bench_data(readings(1, bench_deviation_N, 400));
+  data.known_motor_noise = KnownNoise{.absolute_N = 1};
+  const Dataset dataset = all_of(data);
+  const Problem bench = bench_problem(dataset);
+  const Model model = fit(bench, with_gain(1)).model;
+  const Forecast at = forecast(dataset, model);
+  Model beside = model;
+  beside.effects[0].values[0] += 1e-3;
+  const VectorXd change = difference(bench, at, forecast(dataset, beside));
+  const Projection projection(bench, model, at);
+  EXPECT_LT(projection.taken_out(change).norm(), 1e-6 * change.norm());
+}
+
 TEST(KnownNoise, OfTheMotorTensionIsSharedByTheRow) {
   const MeasuredData data =
       read_data("run,routing,motor_tension_N,T1_N,T2_N,T3_N\nA,TR5,20,5,6,7\nA,TR5,30,9,8,7\n",

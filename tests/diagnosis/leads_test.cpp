@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -51,6 +53,29 @@ TEST(Leads, OfNoiseAloneAreNone) {
   EXPECT_TRUE(
       leads(all_in_training(bench.dataset), bench.problem, Model{}, bench_scatter(), workers)
           .empty());
+}
+
+// An eccentric pulley that turns 20 times.
+TEST(Leads, FindAWaveOfManyPeriods) {
+  constexpr int rows = 200, rows_of_a_period = 10;
+  const double T1_N = 20 * std::exp(-0.18 * 2 * std::numbers::pi);  // behind the sheath
+  std::string text = "run,routing,motor_tension_N,T1_N\n";
+  for (int i = 0; i < rows; ++i) {
+    const double wave = std::sin(2 * std::numbers::pi * i / rows_of_a_period);
+    text += fmt::format("A,M-1-F,20,{}\n", T1_N + 0.5 * wave + 0.1 * numerics::normal(3, 1, i));
+  }
+  const MeasuredData data = read_data(text);
+  const Dataset dataset = all_of(data);
+  Scatter scatter;
+  scatter.noise.absolute_N = 0.1;
+  Workers workers(1);
+  const std::vector<Lead> found =
+      leads(all_in_training(dataset), problem(dataset, Eigen::VectorXd::Constant(rows, 0.1)),
+            Model{}, scatter, workers);
+  ASSERT_FALSE(found.empty());
+  const Effect& wave = found.front().effect;
+  ASSERT_EQ(causes::term_of(*wave.cause)->form, Form::sine);
+  EXPECT_NEAR(wave.values[2] * (rows - 1), rows_of_a_period, 0.1);
 }
 
 // At one load a gain of T1 is an offset of T1.
