@@ -16,7 +16,7 @@ using What = LawKind::What;
 constexpr double price_of_law = 1;  // beside what the library has a name for
 constexpr double price_of_product = 2;
 // A lever with a load offers laws by contact, straight and logarithmic, besides those by row.
-constexpr double by_load = 2;
+constexpr double laws_by_load = 2;
 constexpr double price_of_place = 2;
 constexpr double price_of_apart = 4;
 constexpr double price_of_breadth = 1;
@@ -37,7 +37,8 @@ Covariate as_factor(Covariate x, bool is_logarithmic) {
 FoundLaws::FoundLaws(const LawColumns& columns)
     : columns_(columns), parameter_price_(std::log(columns.degrees_of_freedom()) / 2) {
   for (const Lever& lever : columns.table().levers) {
-    levers_of_breadth_[static_cast<std::size_t>(lever.breadth)] += lever.load ? 1 + by_load : 1;
+    levers_of_breadth_[static_cast<std::size_t>(lever.breadth)] +=
+        lever.load ? 1 + laws_by_load : 1;
   }
 }
 
