@@ -127,7 +127,7 @@ std::string named_right(const std::vector<const Outcome*>& seen, const std::stri
 
 bool wrong(const Outcome& outcome) { return names_wrong(outcome, outcome.finding); }
 
-// A name of the library for what it does not hold.
+// True if something that the library does not hold got a name of it.
 bool misnames(const Outcome& outcome) {
   const auto& named = outcome.finding.named;
   return std::any_of(named.begin(), named.end(),

@@ -30,7 +30,7 @@ struct NoForecast {
   std::string why;
 };
 
-// What the hardware makes of a network at a row's own sheath angle, prepared once for all rows that
+// Prepares what the hardware makes of a network at a row's own sheath angle once for all rows that
 // follow with the same.
 class MechanicsByAngle {
  public:
@@ -243,7 +243,7 @@ class RoutingForecast {
   std::vector<std::size_t> place_;     // index of each channel among the sensors
   Forecast& forecast_;
   RowContacts* contacts_;
-  // Of the block at hand.
+  // These are of the block at hand.
   Mechanics plain_;
   Grasp grasp_;
   Direction direction_ = Direction::pull;
