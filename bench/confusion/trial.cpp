@@ -214,15 +214,14 @@ bool asks_for_the_right_one(Part part) {
   return std::find(parts.begin(), parts.end(), part) != parts.end();
 }
 
-// The name, or the group of those that explain the data as it does.
+}  // namespace
+
 std::vector<std::string> said_equivalent(const Finding& finding, const std::string& name) {
   for (const auto& group : finding.indistinguishable) {
     if (group.front() == name) return group;
   }
   return {name};
 }
-
-}  // namespace
 
 const char* part_name(Part part) {
   constexpr std::array names{"single",   "null",    "pairs",    "unknown",       "alias",

@@ -85,6 +85,9 @@ MeasuredData parse_planted(const std::string& csv);
 
 Outcome run(const Trial& trial, const DiagnoseOptions& options);
 
+// Returns the name, or the group of those that explain the data as it does.
+std::vector<std::string> said_equivalent(const Finding& finding, const std::string& name);
+
 // True if the named causes are just the hidden ones.
 bool names_all(const Outcome& outcome, const Finding& finding);
 // True if some choice among the names that are said to explain the data alike is just what is
