@@ -15,6 +15,7 @@ namespace reeve::diagnosis {
 struct ScreenedLaw {
   Effect effect;  // with values to start a fit from; a zero crossing of its own is free
   double price = 0;
+  double gain = 0;  // of log-likelihood, to first order
   double evidence = 0;
 };
 

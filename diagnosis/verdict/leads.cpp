@@ -15,18 +15,21 @@ namespace {
 constexpr std::size_t most_screened = 4 * most_leads;
 constexpr double nearly_alike = 0.9;  // cosine
 
-Lead lead(const Sample& sample, const Problem& problem, const Model& model, const ScreenedLaw& law,
-          const Scatter& scatter, Workers& workers) {
+// Its evidence is that of the fit; none if that is not what a term needs.
+std::optional<Lead> lead(const Sample& sample, const Problem& problem, const Model& model,
+                         const ScreenedLaw& law, const Scatter& scatter, Workers& workers) {
   const Effect screened = causes::with_crossing_held(law.effect);
-  Lead result{screened, law.evidence, std::nullopt, {}};
   const Fit fitted = fit(problem, extended(model, screened).model, Precision::to_compare);
-  if (!has_tensions(fitted)) return result;
+  const double gain = (misfit(problem, model) - fitted.misfit) / 2;
+  const double evidence = law.evidence + gain - law.gain;
+  if (!(evidence >= least_evidence)) return std::nullopt;
   const std::size_t at = place(fitted.model, screened);
-  result.effect = fitted.model.effects[at];
   const auto spreads =
       effect_spreads(problem, fitted.model, parameter_intervals(problem, fitted.model));
-  result.partial = partial_residuals(sample, fitted.model, scatter, at, spreads[at], workers);
-  return result;
+  return Lead{fitted.model.effects[at],
+              evidence,
+              partial_residuals(sample, fitted.model, scatter, at, spreads[at], workers),
+              {}};
 }
 
 }  // namespace
@@ -59,10 +62,14 @@ std::vector<Lead> leads(const Sample& sample, const Problem& problem, const Mode
     if (same != changes.end()) {
       result[static_cast<std::size_t>(same - changes.begin())].alike.push_back(screened);
     } else if (result.size() < most_leads) {
-      result.push_back(lead(sample, problem, model, law, scatter, workers));
+      auto fitted = lead(sample, problem, model, law, scatter, workers);
+      if (!fitted) continue;
+      result.push_back(std::move(*fitted));
       changes.push_back(std::move(change));
     }
   }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Lead& a, const Lead& b) { return a.evidence > b.evidence; });
   std::stable_partition(result.begin(), result.end(),
                         [](const Lead& lead) { return is_of_one_place(lead.effect); });
   return result;

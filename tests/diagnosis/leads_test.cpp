@@ -78,6 +78,34 @@ TEST(Leads, FindAWaveOfManyPeriods) {
   EXPECT_NEAR(wave.values[2] * (rows - 1), rows_of_a_period, 0.1);
 }
 
+// A sheath whose exponent grows by 2 over the column is far from any law to first order.
+TEST(Leads, HaveTheEvidenceOfTheirFit) {
+  constexpr int rows = 100;
+  constexpr double most_price = 30;  // nats
+  const double phi = 0.18 * 2 * std::numbers::pi;
+  std::string text = "run,routing,motor_tension_N,humidity_pct,T1_N\n";
+  for (int i = 0; i < rows; ++i) {
+    const double T1_N = 20 * std::exp(-phi - 0.02 * i);
+    text += fmt::format("A,M-1-F,20,{},{}\n", i, T1_N + 0.1 * numerics::normal(3, 1, i));
+  }
+  const MeasuredData data = read_data(text);
+  const Dataset dataset = all_of(data);
+  const Problem readings = problem(dataset, Eigen::VectorXd::Constant(rows, 0.1));
+  Scatter scatter;
+  scatter.noise.absolute_N = 0.1;
+  Workers workers(1);
+  const std::vector<Lead> found =
+      leads(all_in_training(dataset), readings, Model{}, scatter, workers);
+  ASSERT_FALSE(found.empty());
+  for (const Lead& lead : found) {
+    Model with_it;
+    add_effect(with_it, lead.effect);
+    const double gain = (misfit(readings, Model{}) - misfit(readings, with_it)) / 2;
+    EXPECT_LT(lead.evidence, gain) << effect_name(lead.effect);
+    EXPECT_GT(lead.evidence, gain - most_price) << effect_name(lead.effect);
+  }
+}
+
 // At one load a gain of T1 is an offset of T1.
 TEST(Leads, ThatChangeReadingsAlikeAreOne) {
   const Bench bench(Pattern{0.5}, BenchPlan{8, 6, 3, bench_noise_N});
