@@ -49,6 +49,14 @@ MatrixXd LawColumns::values(const std::vector<RowLaw>& laws) const {
   return result;
 }
 
+VectorXd LawColumns::by_row(const VectorXd& of_cells) const {
+  VectorXd result = VectorXd::Zero(static_cast<Index>(table_.all->rows.size()));
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    result[rows_[i]] += of_cells[static_cast<Index>(i)];
+  }
+  return result;
+}
+
 VectorXd LawColumns::in_noise(const Lever& lever) const {
   return VectorXd(lever.by_value_N(cells_)).cwiseQuotient(problem_.deviation_N);
 }

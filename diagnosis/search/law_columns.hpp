@@ -56,6 +56,8 @@ class LawColumns {
 
   // The values of each law, a row for each cell.
   Eigen::MatrixXd values(const std::vector<RowLaw>& laws) const;
+  // Sums over the cells of each row of the table; 0 for rows that are not of the problem.
+  Eigen::VectorXd by_row(const Eigen::VectorXd& of_cells) const;
   // The lever in units of the noise.
   Eigen::VectorXd in_noise(const Lever& lever) const;
   // Columns of a lever times laws of these values, or times these laws, of its load among them.

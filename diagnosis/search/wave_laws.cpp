@@ -1,5 +1,6 @@
-// Waves are most of all laws. All their projections on the residuals take one product; the few that
-// promise most beside their raw lengths are then seen as all other laws are.
+// Waves are most of all laws. A row's cells have one value of a wave, so that all projections on
+// the residuals take one product by rows; the few that promise most beside their raw lengths are
+// then seen as all other laws are.
 #include <algorithm>
 #include <functional>
 #include <limits>
@@ -19,15 +20,23 @@ constexpr std::size_t enough_values = 8;
 constexpr int most_waves = 64;               // half periods over the range
 constexpr std::size_t waves_of_a_lever = 8;  // number of waves fitted closely
 
+// Sines and cosines of the same periods, and their values by row.
 struct Waves {
-  std::vector<RowLaw> sines;
-  MatrixXd values;  // of sine and cosine side by side
-  MatrixXd squares;
+  std::vector<RowLaw> sines, cosines;
+  MatrixXd sine, cosine;
 };
+
+MatrixXd values_by_row(const LawTable& table, const std::vector<RowLaw>& laws) {
+  const auto rows = static_cast<Index>(table.all->rows.size());
+  MatrixXd result(rows, static_cast<Index>(laws.size()));
+  for (std::size_t j = 0; j < laws.size(); ++j) {
+    result.col(static_cast<Index>(j)) = value_by_row(table.covariates, laws[j], rows);
+  }
+  return result;
+}
 
 Waves waves_of(const LawColumns& columns) {
   Waves result;
-  std::vector<RowLaw> laws;
   for (std::size_t c = 0; c < columns.table().covariates.size(); ++c) {
     const RowCovariate& of = columns.covariate(c);
     const int values = static_cast<int>(of.distinct.size());
@@ -35,24 +44,30 @@ Waves waves_of(const LawColumns& columns) {
     const double span = of.covariate.seen.high - of.covariate.seen.low;
     for (int k = 2; k <= std::min(most_waves, values / 2); ++k) {
       result.sines.push_back({Form::sine, c, 0, {1, 0, 2 * span / k}});
-      laws.push_back(result.sines.back());
-      laws.push_back({Form::sine, c, 0, {0, 1, 2 * span / k}});
+      result.cosines.push_back({Form::sine, c, 0, {0, 1, 2 * span / k}});
     }
   }
-  result.values = columns.values(laws);
-  result.squares = result.values.cwiseAbs2();
+  result.sine = values_by_row(columns.table(), result.sines);
+  result.cosine = values_by_row(columns.table(), result.cosines);
   return result;
 }
 
-std::vector<std::size_t> most_promising(const Waves& waves, const VectorXd& by_value,
-                                        const VectorXd& pulled_back) {
+VectorXd promise(const MatrixXd& values, const VectorXd& residual, const VectorXd& square) {
   constexpr double tiny = std::numeric_limits<double>::min();
-  const VectorXd along = waves.values.transpose() * by_value.cwiseProduct(pulled_back);
-  const VectorXd squares = waves.squares.transpose() * by_value.cwiseAbs2();
-  const VectorXd promise = along.cwiseAbs2().cwiseQuotient(squares.cwiseMax(tiny));
+  const VectorXd along = values.transpose() * residual;
+  const VectorXd squares = values.cwiseAbs2().transpose() * square;
+  return along.cwiseAbs2().cwiseQuotient(squares.cwiseMax(tiny));
+}
+
+std::vector<std::size_t> most_promising(const Waves& waves, const LawColumns& columns,
+                                        const VectorXd& by_value) {
+  const VectorXd residual = columns.by_row(by_value.cwiseProduct(columns.pulled_back()));
+  const VectorXd square = columns.by_row(by_value.cwiseAbs2());
+  const VectorXd promised =
+      promise(waves.sine, residual, square) + promise(waves.cosine, residual, square);
   std::vector<std::pair<double, std::size_t>> promises;
   for (std::size_t w = 0; w < waves.sines.size(); ++w) {
-    promises.emplace_back(promise.segment<2>(static_cast<Index>(2 * w)).sum(), w);
+    promises.emplace_back(promised[static_cast<Index>(w)], w);
   }
   const std::size_t few = std::min(waves_of_a_lever, promises.size());
   std::partial_sort(promises.begin(), promises.begin() + static_cast<std::ptrdiff_t>(few),
@@ -64,12 +79,11 @@ std::vector<std::size_t> most_promising(const Waves& waves, const VectorXd& by_v
 
 void screen(const LawColumns& columns, const Waves& waves, std::size_t l, FoundLaws& found) {
   const Lever& lever = columns.lever(l);
-  const std::vector<std::size_t> few =
-      most_promising(waves, columns.in_noise(lever), columns.pulled_back());
-  MatrixXd chosen(waves.values.rows(), static_cast<Index>(2 * few.size()));
-  for (std::size_t i = 0; i < few.size(); ++i) {
-    chosen.middleCols<2>(static_cast<Index>(2 * i)) =
-        waves.values.middleCols<2>(static_cast<Index>(2 * few[i]));
+  const std::vector<std::size_t> few = most_promising(waves, columns, columns.in_noise(lever));
+  std::vector<RowLaw> chosen;
+  for (const std::size_t w : few) {
+    chosen.push_back(waves.sines[w]);
+    chosen.push_back(waves.cosines[w]);
   }
   const MatrixXd seen = columns.columns(lever, chosen);
   for (std::size_t i = 0; i < few.size(); ++i) {
