@@ -346,6 +346,8 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
                      "Joins that may stand beside an end or a block's tail, such as P in F-P-1x");
   command.add_flag("--linked", linked,
                    "Also blocks tied tail to tail, such as Y1-Y2+1x-Y1-2x+M-Y2-3x");
+  command.add_flag("--series", series,
+                   "Also blocks in series on one tendon, such as M-Y1-Y2-M+Y1-1x+Y2-2x");
   command
       .add_option("--motors", motors,
                   "Number of motors, each of which pulls a tendon, such as 2 in M-1-M2")
@@ -367,6 +369,7 @@ GeneratorOptions GeneratorFlags::read_parts() const {
   options.parts.motors = motors;
   if (anchored) options.parts.anchored = true;
   options.parts.linked = linked;
+  options.parts.series = series;
   if (blocks_->count() > 0) options.parts.blocks = blocks;
   for_name("--", [&] {
     if (tips_->count() > 0) options.parts.tips = parse_tips(tips);

@@ -183,6 +183,7 @@ struct GeneratorFlags {
   int motors = 1;
   std::string beside;
   bool linked = false;
+  bool series = false;
   std::string tendons = "any";
   bool distinct = false;
 

@@ -51,6 +51,7 @@ std::string tied_text(const PartSet& parts) {
   if (parts.motors > 1) text += fmt::format("; {} motors", parts.motors);
   if (!parts.beside.empty()) text += "; beside ends: " + spaced(beside_text(parts));
   if (parts.linked) text += "; linked blocks";
+  if (parts.series) text += "; blocks in series";
   return text;
 }
 

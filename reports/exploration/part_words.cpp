@@ -36,6 +36,7 @@ std::string parts_text(const PartSet& parts) {
   if (parts.motors > 1) text += fmt::format("; {} motors", parts.motors);
   if (!parts.beside.empty()) text += "; beside ends " + spaced_list(beside_text(parts));
   if (parts.linked) text += "; linked blocks";
+  if (parts.series) text += "; blocks in series";
   return text;
 }
 
@@ -66,6 +67,7 @@ Json parts_json(const PartSet& parts) {
   if (parts.motors > 1) json["motors"] = parts.motors;
   if (!parts.beside.empty()) json["beside_ends"] = beside_text(parts);
   if (parts.linked) json["linked"] = true;
+  if (parts.series) json["series"] = true;
   return json;
 }
 

@@ -10,8 +10,11 @@ std::uint64_t routings_with(GeneratorOptions generator, const PartSet& parts) {
   return RoutingGenerator(generator).total();
 }
 
-// This many blocks let a tendon pull each finger by a block's side of its own.
-int useful_blocks(int fingers) { return std::min(fingers - 1, max_generated_blocks); }
+// This many blocks let a tendon pull each finger by a block's side of its own, or in series by a
+// block of its own.
+int useful_blocks(const GeneratorOptions& generator) {
+  return std::min(generator.fingers - (generator.parts.series ? 0 : 1), max_generated_blocks);
+}
 
 PartSet with_next_part(PartSet parts) {
   if (parts.anchored) ++parts.blocks;
@@ -24,7 +27,7 @@ PartSet with_next_part(PartSet parts) {
 FieldParts field_parts(const FieldRequest& request) {
   FieldParts field{request.generator.parts, std::nullopt};
   if (request.blocks) field.parts.blocks = *request.blocks;
-  const int to_blocks = request.blocks.value_or(useful_blocks(request.generator.fingers));
+  const int to_blocks = request.blocks.value_or(useful_blocks(request.generator));
   const std::uint64_t limit = most_field_routings(request.generator);
   std::uint64_t routings = routings_with(request.generator, field.parts);
   while (!field.parts.anchored || field.parts.blocks < to_blocks) {

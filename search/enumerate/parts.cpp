@@ -108,6 +108,11 @@ void validate(const PartSet& parts) {
     throw InputError({.what = fmt::format("motors {}", parts.motors),
                       .expected = fmt::format("a number from 1 to {}", max_carriages)});
   }
+  if (parts.series && !parts.beside.empty()) {
+    throw InputError({.what = "beside-ends",
+                      .value = beside_text(parts),
+                      .expected = "no joins beside ends together with blocks in series"});
+  }
 }
 
 PartSet with_carriages(const PartSet& parts, int carriages) {

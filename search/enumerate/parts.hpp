@@ -18,6 +18,7 @@ struct PartSet {
   int motors = 1;                   // every routing of several motors uses all of them
   std::vector<TokenKind> beside{};  // joins that may stand beside an end or a tail: F-P-1x, Y1-P-Y2
   bool linked = false;              // true if two tails may be tied to each other: Y1-Y2
+  bool series = false;              // true if a root may pass several blocks: F-Y1-Y2-M
 };
 
 // Greatest number of floating blocks in generated routings.
@@ -33,7 +34,7 @@ std::vector<TipKind> parse_tips(const std::string& text);
 std::vector<TokenKind> parse_joins(const std::string& text, const std::string& option = "joins");
 std::vector<TokenKind> parse_ends(const std::string& text);
 // Some routing must be possible: a tip, and either an end or a join. And no more blocks and motors
-// than can be.
+// than can be, and no joins beside ends where blocks stand in series.
 void validate(const PartSet& parts);
 
 std::string tips_text(const PartSet& parts);

@@ -33,13 +33,16 @@ std::uint64_t hanging_ends(const PartSet& parts) {
   return sum;
 }
 
+std::size_t index_of(int passes) { return static_cast<std::size_t>(passes); }
+
 class Counter {
  public:
   Counter(const PartPowers& powers, int fingers, FingerIdentity identity)
       : powers_(powers), identity_(identity), fingers_(fingers), blocks_(powers.front().blocks) {
     const SizeTable table({fingers, blocks_});
     const std::vector<SizeTable> by_fingers(static_cast<std::size_t>(fingers), table);
-    counts_.assign(powers.size(), {table, table, by_fingers, table});
+    const std::vector<SizeTable> by_passes(static_cast<std::size_t>(blocks_) + 1, table);
+    counts_.assign(powers.size(), {table, table, by_fingers, table, by_passes, by_passes, table});
   }
 
   // Halves with k blocks hold branches with k blocks, and those halves with fewer.
@@ -50,6 +53,7 @@ class Counter {
       });
       for_each_power(
           0, k, [&](std::size_t p, TreeSize size) { counts_[p].halves[size] = halves(p, size); });
+      if (powers_.front().series) count_arms(k);
       for_each_power(k > 0 ? 1 : fingers_ + 1, k, [&](std::size_t p, TreeSize size) {
         counts_[p].trees[size] = trees(p, size);
       });
@@ -86,8 +90,8 @@ class Counter {
   }
 
   std::uint64_t branches(std::size_t p, TreeSize size) const {
-    const std::uint64_t sum =
-        all_pairs({counts_[p].halves}, {counts_[twice(p)].halves}, size - TreeSize{0, 1});
+    const std::uint64_t sum = all_pairs({counts_[p].halves}, {counts_[twice(p)].halves},
+                                        size - TreeSize{0, 1}, identity_);
     return size.blocks == 1 ? plus(sum, loops(p, size.fingers)) : sum;
   }
 
@@ -99,6 +103,45 @@ class Counter {
     const MirroredString string = mirrored(powers_[p], m, identity_);
     return times(string.middles,
                  unordered_pairs(string.halves, mirrored(powers_[twice(p)], m, identity_).halves));
+  }
+
+  void count_arms(int blocks) {
+    for_each_power(0, blocks, [&](std::size_t p, TreeSize size) {
+      TreeCounts& counts = counts_[p];
+      counts.arms[0][size] = counts.halves[size];
+      if (size.fingers == 0) return;
+      counts.risers[size] = counts.halves[size] - (powers_[p].linked ? 0 : counts.branches[size]);
+      for (int passes = 1; passes <= blocks; ++passes) {
+        const SizeTable& shorter = counts.arms[index_of(passes - 1)];
+        const std::uint64_t beads = beads_before(powers_[p], passes - 1);
+        counts.arms[index_of(passes)][size] =
+            beside_risers(p, size, [&](TreeSize rest) { return times(beads, shorter[rest]); });
+      }
+    });
+  }
+
+  // Each riser of a block with what else there may be.
+  template <typename Others>
+  std::uint64_t beside_risers(std::size_t p, TreeSize size, Others others) const {
+    std::uint64_t sum = 0;
+    SizePair split{{}, size - TreeSize{0, 1}};
+    do {
+      sum = plus(sum, with_riser(counts_[p], split, others(split.second), identity_));
+    } while (next_pair(split));
+    return sum;
+  }
+
+  std::uint64_t in_series(std::size_t p, int passes, TreeSize size) const {
+    const std::size_t on_a_side = index_of(passes / 2);
+    const auto pairs_with = [&](bool beads, TreeSize of) {
+      const auto side = [&](std::size_t power) {
+        return PairSide{counts_[power].arms[on_a_side],
+                        beads ? beads_before(powers_[power], passes / 2) : 1};
+      };
+      return all_pairs(side(p), side(twice(p)), of, identity_);
+    };
+    if (passes % 2 == 0) return times(beads_before(powers_[p], passes), pairs_with(false, size));
+    return beside_risers(p, size, [&](TreeSize rest) { return pairs_with(true, rest); });
   }
 
   std::uint64_t trees(std::size_t p, TreeSize size) {
@@ -114,6 +157,11 @@ class Counter {
       two_tailed = count_two_tailed(p, m, below);
       sum = plus(sum, two_tailed);
     }
+    for (int passes = 2; powers_[p].series && passes <= k; ++passes) {
+      std::uint64_t& roots = counts.in_series[index_of(passes)][size];
+      roots = in_series(p, passes, size);
+      sum = plus(sum, roots);
+    }
     return sum;
   }
 
@@ -123,16 +171,7 @@ class Counter {
     const MirroredString mirror = between_tails(powers_[twice(p)], m, identity_);
     return times(times(choices_of(m, below.fingers + m, identity_), string.middles),
                  all_pairs({counts_[p].branches, string.halves},
-                           {counts_[twice(p)].branches, mirror.halves}, below));
-  }
-
-  std::uint64_t all_pairs(const PairSide& side, const PairSide& twice, TreeSize size) const {
-    std::uint64_t sum = 0;
-    SizePair split{{}, size};
-    do {
-      sum = plus(sum, pairs(side, twice, split, identity_));
-    } while (next_pair(split));
-    return sum;
+                           {counts_[twice(p)].branches, mirror.halves}, below, identity_));
   }
 
   const PartPowers& powers_;
@@ -220,6 +259,23 @@ std::uint64_t pairs(const PairSide& side, const PairSide& twice, const SizePair&
   const bool lesser = first.fingers != second.fingers ? first.fingers < second.fingers
                                                       : first.blocks < second.blocks;
   return lesser ? times(side.count(first), side.count(second)) : 0;
+}
+
+std::uint64_t all_pairs(const PairSide& side, const PairSide& twice, TreeSize size,
+                        FingerIdentity identity) {
+  std::uint64_t sum = 0;
+  SizePair split{{}, size};
+  do {
+    sum = plus(sum, pairs(side, twice, split, identity));
+  } while (next_pair(split));
+  return sum;
+}
+
+std::uint64_t with_riser(const TreeCounts& counts, const SizePair& split, std::uint64_t others,
+                         FingerIdentity identity) {
+  const auto [riser, rest] = split;
+  return times(choices_of(riser.fingers, riser.fingers + rest.fingers, identity),
+               times(counts.risers[riser], others));
 }
 
 std::vector<TreeCounts> tree_counts(const PartPowers& powers, int fingers,

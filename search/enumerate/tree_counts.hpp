@@ -14,6 +14,15 @@
 //                    v Σ_m (e t^m + x t^(m-1)) J^(m-1) C(n-m,k); between two tails nothing, where
 //                    they may be linked, b joins, or m fingers: an unordered pair of branches, each
 //                    with half of the walk, about the bead in its middle
+//   series   where blocks may stand in series: a root that passes q > 1 blocks, each of which hangs
+//            on a tendon with a finger that passes none. b = 0; before a pass that is not the first
+//            on its side of the root's middle stands one of g = 1 + J beads, nothing or a join
+//   riser    U(n,k)  such a tendon, from the block's tail on: H(n,k), less C(n,k) unless tails may
+//                    be linked; U(0,k) = 0
+//   arm      A(q,n,k) of the root, from its middle outwards: A(0,n,k) = H(n,k), and for q passes
+//                    Σ U(m,l) A(q-1,n-m,k-l-1), times g for q > 1
+//   tree     + unordered pairs of arms of q passes about one of g beads, or about a pass, each with
+//            one of g beads: Σ U(m,l) pairs
 // Unordered pairs of equals are counted by (X² + X)/2 (Burnside for the reversal). With distinct
 // fingers nothing is its own reversal, so the first of a pair is the one with the least finger.
 // Where motors are renamed (counting.hpp), the X that stands alone counts what the renaming, done
@@ -105,6 +114,11 @@ bool may_hang_on_motor(const PartSet& parts);
 // and for each of them its joins.
 bool may_hang(TokenKind end, TokenKind beside);
 
+// Beads between two passes of a root, nothing or a join, that is before an arm with a pass.
+inline std::uint64_t beads_before(const PartSet& parts, int passes) {
+  return passes > 0 ? 1 + parts.joins.size() : 1;
+}
+
 // The members of an unordered pair: with identical fingers the lesser size first, with distinct
 // ones the one that has the least finger.
 struct SizePair {
@@ -128,14 +142,24 @@ inline std::uint64_t pairs(const PairSide& side, const SizePair& split, FingerId
   return pairs(side, side, split, identity);
 }
 
+std::uint64_t all_pairs(const PairSide& side, const PairSide& twice, TreeSize size,
+                        FingerIdentity identity);
+
 struct TreeCounts {
   SizeTable halves;
   SizeTable branches;
   // Roots with m fingers between two tails, [m], or for [0] a join or nothing, by the size of what
   // hangs on both.
   std::vector<SizeTable> two_tailed;
-  SizeTable trees;  // trees with at least one block
+  SizeTable risers;
+  std::vector<SizeTable> arms;       // [passes]
+  std::vector<SizeTable> in_series;  // roots, [passes]
+  SizeTable trees;                   // trees with at least one block
 };
+
+// Counts the risers of the first size of a split, each with all others of the second.
+std::uint64_t with_riser(const TreeCounts& counts, const SizePair& split, std::uint64_t others,
+                         FingerIdentity identity);
 
 // Counts the trees that each power of the renaming leaves unchanged.
 std::vector<TreeCounts> tree_counts(const PartPowers& powers, int fingers, FingerIdentity identity);

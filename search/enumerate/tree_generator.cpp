@@ -29,6 +29,12 @@ std::strong_ordering compare_with_reversal(const Walk& walk) {
   return std::strong_ordering::equal;
 }
 
+std::strong_ordering compare_blocks(const Tendon& a, const Tendon& b) {
+  return std::lexicographical_compare_three_way(
+      a.walk.begin(), a.walk.end(), b.walk.begin(), b.walk.end(),
+      [](const Token& x, const Token& y) { return x.block <=> y.block; });
+}
+
 bool is_lesser(const Walk& walk, Image a, Image b) {
   for (std::size_t i = 0; i < walk.size(); ++i) {
     const auto order = compare_shapes(image_token(walk, a, i), image_token(walk, b, i));
@@ -57,15 +63,33 @@ GeneratorOptions without_blocks(GeneratorOptions options, int fingers) {
 }  // namespace
 
 void TreeWriter::write(const TreeIndex& tree, TendonList& list) {
-  branches_.clear();
+  const std::size_t begin = list.used;
   decoder_.decode_root(tree, tendon_);
+  const std::size_t in_series = tendon_.risers.size();
+  branches_.assign(in_series, {});
   write_tendon(tendon_, 0, branches_, list);
-  write_below(branches_, list);
+  write_risers(list);
+  write_below(branches_, list, in_series);
+  if (in_series == 0) return;
+  const auto first = list.tendons.begin() + static_cast<std::ptrdiff_t>(begin);
+  const auto end = list.tendons.begin() + static_cast<std::ptrdiff_t>(list.used);
+  // Fingers keep the numbers that they have.
+  const Routing written = canonical({{first, end}}, FingerIdentity::distinct);
+  std::copy(written.tendons.begin(), written.tendons.end(), first);
+}
+
+void TreeWriter::write_risers(TendonList& list) {
+  for (std::size_t i = 0; i < tendon_.risers.size(); ++i) {
+    SplitTendon riser;
+    riser.middle.push_back(block(TokenKind::block_tail, static_cast<int>(i) + 1));
+    riser.right = tendon_.risers[i];
+    write_tendon(riser, 0, branches_, list);
+  }
 }
 
 // Level by level: each tendon adds the branches that hang on it. Branch i hangs on block i + 1.
-void TreeWriter::write_below(std::vector<TreeIndex>& branches, TendonList& list) {
-  for (std::size_t i = 0; i < branches.size(); ++i) {
+void TreeWriter::write_below(std::vector<TreeIndex>& branches, TendonList& list, std::size_t from) {
+  for (std::size_t i = from; i < branches.size(); ++i) {
     decoder_.decode_branch(branches[i], tendon_);
     write_tendon(tendon_, static_cast<int>(i) + 1, branches, list);
   }
@@ -88,7 +112,8 @@ void TreeWriter::write_tendon(SplitTendon& split, int own_block, std::vector<Tre
     tail.block = static_cast<std::uint8_t>(branches.size());
   }
   for (Token& token : tendon.walk) {
-    if (token.kind == TokenKind::block_pass) token.block = static_cast<std::uint8_t>(own_block);
+    if (token.kind != TokenKind::block_pass || token.block > 0) continue;
+    token.block = static_cast<std::uint8_t>(own_block);
   }
 }
 
@@ -232,9 +257,14 @@ bool TreeGenerator::precedes(const Span& a, const Span& b) const {
   const auto at = [&](std::size_t i) {
     return list_.tendons.begin() + static_cast<std::ptrdiff_t>(i);
   };
-  return std::lexicographical_compare(
-      at(a.begin), at(a.end), at(b.begin), at(b.end),
-      [](const Tendon& x, const Tendon& y) { return compare_shapes(x, y) < 0; });
+  const auto order = [&](auto compare) {
+    return std::lexicographical_compare_three_way(at(a.begin), at(a.end), at(b.begin), at(b.end),
+                                                  compare);
+  };
+  const auto shapes =
+      order([](const Tendon& x, const Tendon& y) { return compare_shapes(x, y); });
+  // Only of a tendon in series, shapes do not tell by which of its blocks it is reached.
+  return shapes != 0 ? shapes < 0 : order(compare_blocks) < 0;
 }
 
 void TreeGenerator::append_tree(const Span& span, std::size_t& tendon, int& blocks,

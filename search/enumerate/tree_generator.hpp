@@ -20,8 +20,8 @@ namespace reeve::search {
 //
 // Each tendon is walked the way that makes the lesser word, by its tokens and, where these read the
 // same both ways, with the lesser branch first; the tendons stand level by level, and the blocks
-// are numbered as they appear. So with identical fingers what is written is canonical. With
-// distinct fingers the numbers decide, too, and are left to core's canonical().
+// are numbered as they appear. So with identical fingers what is written is canonical. Blocks in
+// series are left to core's canonical(), and so are distinct fingers, whose numbers decide, too.
 // Tendons one after the other; keeps the memory of those no longer in use.
 struct TendonList {
   std::vector<Tendon> tendons;
@@ -44,7 +44,8 @@ class TreeWriter {
   void write(const TreeIndex& tree, TendonList& list);
 
  private:
-  void write_below(std::vector<TreeIndex>& branches, TendonList& list);
+  void write_below(std::vector<TreeIndex>& branches, TendonList& list, std::size_t from = 0);
+  void write_risers(TendonList& list);
   void write_tendon(SplitTendon& tendon, int own_block, std::vector<TreeIndex>& branches,
                     TendonList& list);
   bool stands_backwards(const SplitTendon& tendon, const Walk& walk) const;

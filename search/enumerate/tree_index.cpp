@@ -12,6 +12,7 @@ void clear(SplitTendon& tendon) {
   }
   tendon.middle.clear();
   tendon.closed = false;
+  tendon.risers.clear();
 }
 
 }  // namespace
@@ -235,6 +236,67 @@ void TreeDecoder::decode_two_tailed(int m, TreeSize below, FingerSet fingers, Di
   append_half(branches.second, tendon.right);
 }
 
+template <typename Others>
+TreeIndex TreeDecoder::decode_pass(const TreeIndex& whole, Others others, Walk& walk,
+                                   SplitTendon& tendon) const {
+  Digits digits(whole.index);
+  SizePair split{{}, whole.size - TreeSize{0, 1}};
+  while (!digits.is_among(with_riser(counts_, split, others(split.second), identity_))) {
+    next_pair(split);
+  }
+  FingerSet rest = whole.fingers;
+  const FingerSet own = take_some(rest, split.first.fingers, digits, identity_);
+  // Risers are the halves behind those that are a tail alone.
+  const std::uint64_t tails = counts_.halves[split.first] - counts_.risers[split.first];
+  const std::uint64_t riser = tails + digits.take(counts_.risers[split.first]);
+  decode_half({split.first, riser, own}, tendon.risers.emplace_back());
+  walk.push_back(block(TokenKind::block_pass, static_cast<int>(tendon.risers.size())));
+  return {split.second, digits.rest(), rest};
+}
+
+void TreeDecoder::append_bead(std::uint64_t bead, Walk& walk) const {
+  if (bead > 0) walk.push_back(plain(parts_.joins[bead - 1]));
+}
+
+void TreeDecoder::decode_arm(int passes, const TreeIndex& arm, HalfTendon& half,
+                             SplitTendon& tendon) const {
+  if (passes == 0) return decode_half(arm, half);
+  const SizeTable& shorter = counts_.arms[static_cast<std::size_t>(passes - 1)];
+  const std::uint64_t beads = beads_before(parts_, passes - 1);
+  const TreeIndex rest = decode_pass(
+      arm, [&](TreeSize size) { return beads * shorter[size]; }, half.tokens, tendon);
+  decode_beaded(passes - 1, rest, half, tendon);
+}
+
+void TreeDecoder::decode_beaded(int passes, TreeIndex arm, HalfTendon& half,
+                                SplitTendon& tendon) const {
+  const std::uint64_t beads = beads_before(parts_, passes);
+  append_bead(arm.index % beads, half.tokens);
+  arm.index /= beads;
+  decode_arm(passes, arm, half, tendon);
+}
+
+void TreeDecoder::decode_in_series(int passes, const TreeIndex& tree, SplitTendon& tendon) const {
+  const int on_a_side = passes / 2;
+  const SizeTable& arms = counts_.arms[static_cast<std::size_t>(on_a_side)];
+  const std::uint64_t beads = beads_before(parts_, on_a_side);
+  Digits digits(tree.index);
+  if (passes % 2 == 0) {
+    append_bead(digits.take(beads), tendon.middle);
+    const Pair pair = decode_pair(arms, 1, tree.size, tree.fingers, digits);
+    decode_arm(on_a_side, pair.first, tendon.left, tendon);
+    decode_arm(on_a_side, pair.second, tendon.right, tendon);
+    return;
+  }
+  const PairSide side{arms, beads};
+  const auto pairs_of = [&](TreeSize size) { return all_pairs(side, side, size, identity_); };
+  const TreeIndex both = decode_pass(tree, pairs_of, tendon.middle, tendon);
+  digits = Digits(both.index);
+  const Pair pair = decode_pair(arms, beads, both.size, both.fingers, digits);
+  decode_beaded(on_a_side, pair.first, tendon.left, tendon);
+  decode_beaded(on_a_side, pair.second, tendon.right, tendon);
+}
+
 // A root of an end and a tail, or of an end, a join and a tail.
 bool TreeDecoder::decode_hanging(const TreeIndex& tree, Digits& digits, SplitTendon& tendon) const {
   const std::uint64_t branches = counts_.branches[tree.size];
@@ -263,7 +325,7 @@ void TreeDecoder::decode_root(const TreeIndex& tree, SplitTendon& tendon) const 
   Digits digits(tree.index);
   FingerSet fingers = tree.fingers;
   if (decode_hanging(tree, digits, tendon)) return;
-  for (int m = 0; true; ++m) {
+  for (int m = 0; m < n; ++m) {
     const TreeSize below{n - m, k};
     const std::uint64_t arranged = choices_of(m, n, identity_) * orders_of(m, identity_);
     const std::uint64_t strings = end_variants(parts_) * one_sided_strings(parts_, m);
@@ -279,6 +341,9 @@ void TreeDecoder::decode_root(const TreeIndex& tree, SplitTendon& tendon) const 
       return;
     }
   }
+  int passes = 2;
+  while (!digits.is_among(counts_.in_series[static_cast<std::size_t>(passes)][tree.size])) ++passes;
+  decode_in_series(passes, {tree.size, digits.rest(), tree.fingers}, tendon);
 }
 
 }  // namespace reeve::search

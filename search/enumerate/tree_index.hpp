@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "core/canonical.hpp"
 #include "core/routing.hpp"
@@ -45,12 +46,14 @@ struct HalfTendon {
 };
 
 // The middle is the pass of a branch, as a block without number, or what a root has between its
-// halves. A loop is all middle, from its pass on.
+// halves. A loop is all middle, from its pass on. A root that passes blocks in series numbers them
+// from 1, and on their tails are the risers, [block - 1].
 struct SplitTendon {
   HalfTendon left;
   Walk middle;
   HalfTendon right;
   bool closed = false;
+  std::vector<HalfTendon> risers{};
 };
 
 class TreeDecoder {
@@ -84,6 +87,16 @@ class TreeDecoder {
   bool decode_hanging(const TreeIndex& tree, Digits& digits, SplitTendon& tendon) const;
   void decode_two_tailed(int m, TreeSize below, FingerSet fingers, Digits& digits,
                          SplitTendon& tendon) const;
+  // A riser, whose pass is appended to the walk, out of so many others of each size. Returns the
+  // others.
+  template <typename Others>
+  TreeIndex decode_pass(const TreeIndex& whole, Others others, Walk& walk,
+                        SplitTendon& tendon) const;
+  void append_bead(std::uint64_t bead, Walk& walk) const;
+  void decode_arm(int passes, const TreeIndex& arm, HalfTendon& half, SplitTendon& tendon) const;
+  // … with the bead before it.
+  void decode_beaded(int passes, TreeIndex arm, HalfTendon& half, SplitTendon& tendon) const;
+  void decode_in_series(int passes, const TreeIndex& tree, SplitTendon& tendon) const;
   Pair decode_pair(const SizeTable& table, std::uint64_t variants, TreeSize size, FingerSet fingers,
                    Digits& digits) const;
 

@@ -112,12 +112,16 @@ TreeParts::Sort TreeParts::half(TreeSize size) {
   return known(halves_, size.fingers, size.blocks, [&] {
     if (size == TreeSize{}) return ends();
     if (size.blocks == 0) return to_end(size.fingers);
-    std::vector<Sort> sorts{branch(size)};
-    for (int m = 1; m < size.fingers; ++m) {
-      sorts.push_back(numbered_.both(string(m), branch(size - TreeSize{m, 0})));
-    }
-    return numbered_.one_after_the_other(sorts);
+    return numbered_.one_after_the_other({branch(size), tailed_half(size)});
   });
+}
+
+TreeParts::Sort TreeParts::tailed_half(TreeSize size) {
+  std::vector<Sort> sorts;
+  for (int m = 1; m < size.fingers; ++m) {
+    sorts.push_back(numbered_.both(string(m), branch(size - TreeSize{m, 0})));
+  }
+  return numbered_.one_after_the_other(sorts);
 }
 
 TreeParts::Sort TreeParts::branch(TreeSize size) {
@@ -141,6 +145,55 @@ TreeParts::Sort TreeParts::two_tailed(int m, TreeSize below) {
   return numbered_.both(middle(m), numbered_.one_after_the_other(pairs));
 }
 
+TreeParts::Sort TreeParts::beads_before(int passes) {
+  return passes > 0 ? numbered_.one_after_the_other({empty_, joins()}) : empty_;
+}
+
+TreeParts::Sort TreeParts::riser(TreeSize size) {
+  if (size.fingers == 0) return nothing_;
+  if (size.blocks == 0 || parts_.linked) return half(size);
+  return known(risers_, size.fingers, size.blocks, [&] { return tailed_half(size); });
+}
+
+template <typename Others>
+TreeParts::Sort TreeParts::beside_risers(TreeSize size, Others others) {
+  std::vector<Sort> sorts;
+  SizePair split{{}, size - TreeSize{0, 1}};
+  do {
+    const Sort first = riser(split.first);
+    if (numbered_.size(first) == 0) continue;
+    sorts.push_back(numbered_.both(first, others(split.second)));
+  } while (next_pair(split));
+  return numbered_.with(numbered_.one_after_the_other(sorts),
+                        classes_.of(block(TokenKind::block_pass, 0)));
+}
+
+TreeParts::Sort TreeParts::arm(int passes, TreeSize size) {
+  if (passes == 0) return half(size);
+  if (size.blocks < passes) return nothing_;
+  return known(arms_[passes], size.fingers, size.blocks, [&] {
+    return beside_risers(size, [&](TreeSize rest) { return beaded(passes - 1, rest); });
+  });
+}
+
+TreeParts::Sort TreeParts::beaded(int passes, TreeSize size) {
+  return numbered_.both(beads_before(passes), arm(passes, size));
+}
+
+TreeParts::Sort TreeParts::in_series(int passes, TreeSize size) {
+  const auto pairs_of = [&](auto member, TreeSize of) {
+    std::vector<Sort> pairs;
+    append_pairs(of, member, pairs);
+    return numbered_.one_after_the_other(pairs);
+  };
+  if (passes % 2 == 0) {
+    const auto member = [&](TreeSize of) { return arm(passes / 2, of); };
+    return numbered_.both(beads_before(passes), pairs_of(member, size));
+  }
+  const auto member = [&](TreeSize of) { return beaded(passes / 2, of); };
+  return beside_risers(size, [&](TreeSize rest) { return pairs_of(member, rest); });
+}
+
 TreeParts::Sort TreeParts::tree(TreeSize size) {
   return known(trees_, size.fingers, size.blocks, [&] {
     std::vector<Sort> sorts;
@@ -151,6 +204,9 @@ TreeParts::Sort TreeParts::tree(TreeSize size) {
       const TreeSize below{size.fingers - m, size.blocks};
       if (m > 0) sorts.push_back(numbered_.both(to_end(m), branch(below)));
       sorts.push_back(two_tailed(m, below));
+    }
+    for (int passes = 2; parts_.series && passes <= size.blocks; ++passes) {
+      sorts.push_back(in_series(passes, size));
     }
     return numbered_.trees(numbered_.one_after_the_other(sorts));
   });

@@ -40,8 +40,16 @@ class TreeParts {
   Sort mirrored_half(int m);
   Sort loop_through_pass(int m);
   Sort half(TreeSize size);
+  Sort tailed_half(TreeSize size);
   Sort branch(TreeSize size);
   Sort two_tailed(int m, TreeSize below);
+  Sort beads_before(int passes);
+  Sort riser(TreeSize size);
+  Sort arm(int passes, TreeSize size);
+  Sort beaded(int passes, TreeSize size);
+  template <typename Others>
+  Sort beside_risers(TreeSize size, Others others);
+  Sort in_series(int passes, TreeSize size);
   template <typename Member>
   void append_pairs(TreeSize size, Member member, std::vector<Sort>& pairs);
   Sort sets_from(std::size_t first, TreeSize size);
@@ -57,6 +65,8 @@ class TreeParts {
   Sizes mirrored_;
   Sizes halves_;
   Sizes branches_;
+  Sizes risers_;
+  std::map<int, Sizes> arms_;  // by their number of passes
   Sizes trees_;
   std::map<std::pair<std::size_t, std::pair<int, int>>, Sort> sets_;
 };

@@ -29,6 +29,7 @@ inline CountedTreeParts counted_with_trees(const PartSet& parts) {
   return {counted(parts),
           parts.anchored,
           parts.linked,
+          parts.series,
           parts.motors,
           static_cast<int>(parts.beside.size()) - motor_beside,
           motor_beside};

@@ -71,6 +71,7 @@ std::vector<PartSet> various_parts() {
   const std::size_t many = sets.size();
   for (std::size_t i = 0; i < many; ++i) sets.push_back(anchored(sets[i]));
   for (std::size_t i = 0; i < 2 * many; ++i) sets.push_back(linked(sets[i]));
+  for (std::size_t i = 0; i < 4 * many; ++i) sets.push_back(in_series(sets[i]));
   return sets;
 }
 
@@ -133,10 +134,22 @@ TEST(TreeCounts, OfJoinsBesideEndsAreThoseOfBruteForce) {
   }
 }
 
+TEST(TreeCounts, OfThreeBlocksInSeriesAreThoseOfBruteForce) {
+  for (const FingerIdentity identity : {identical, distinct}) {
+    for (const PartSet& parts : {parts_of("tube", "", "M"), parts_of("tube", "", "F")}) {
+      expect_brute_force(in_series(anchored(parts)), 3, 3, identity);
+      expect_brute_force(linked(in_series(parts)), 3, 3, identity);
+    }
+    expect_brute_force(in_series(anchored(parts_of("tube", "P", ""))), 3, 3, identity);
+    expect_brute_force(with_motors(in_series(anchored(parts_of("tube", "P", "M"))), 2), 2, 2,
+                       identity);
+  }
+}
+
 TEST(TreeCounts, OfThreeFingersAreThoseOfBruteForce) {
   expect_brute_force(anchored(paper_parts()), 3, 0, distinct);
   expect_brute_force(anchored(paper_parts()), 3, 1, distinct);
-  expect_brute_force(linked(anchored(paper_parts())), 3, 2, identical);
+  expect_brute_force(linked(in_series(anchored(paper_parts()))), 3, 2, identical);
   expect_brute_force(anchored(full_parts()), 3, 1, identical);
 }
 

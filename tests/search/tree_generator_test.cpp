@@ -48,6 +48,16 @@ std::vector<GeneratorOptions> small_searches() {
       searches.push_back(generating(linked(tied(parts, 2)), 3, distinct, one_tree));
     }
     searches.push_back(generating(linked(tied(paper_parts(), 4)), 2, identical, one_tree));
+    searches.push_back(generating(in_series(tied(full_parts(), 2)), 2, identical, one_tree));
+    for (const char* joins : {"", "P"}) {
+      const PartSet few = in_series(tied(parts_of("tube", joins, "M"), 3));
+      searches.push_back(generating(linked(few), 3, identical, one_tree));
+      searches.push_back(generating(few, 3, distinct, one_tree));
+    }
+    // Two trees of one shape, reached by different blocks of their roots.
+    const PartSet bare = in_series(tied(parts_of("tube", "", "M,F"), 4));
+    searches.push_back(generating(bare, 4, identical, one_tree));
+    searches.push_back(generating(in_series(tied(parts_of("tube", "", "M"), 5)), 5, identical));
   }
   return searches;
 }
@@ -131,6 +141,24 @@ TEST(TreeGenerator, LinkedBlocks) {
   EXPECT_EQ(found, 1U);
 }
 
+TEST(TreeGenerator, BlocksInSeries) {
+  const PartSet few = tied(parts_of("tube", "", "M"), 3);
+  std::vector<std::string> added = generated_words(generating(in_series(few), 2, identical, true));
+  for (const std::string& word : generated_words(generating(few, 2, identical, true))) {
+    EXPECT_EQ(std::erase(added, word), 1U) << word;
+  }
+  EXPECT_EQ(added, (std::vector<std::string>{}));
+  for (const char* word : {"M-Y1-Y2-Y3-M+Y1-1x+Y2-2x+Y3-3x", "M-Y1-B-Y2-F+Y1-1x+Y2-2-T-3-F",
+                           "M-Y1-Y2-Y3+Y1-1x+Y2-2x+3x-Y3-4x"}) {
+    const Routing routing = canonical(parse_routing(word), identical);
+    std::uint64_t found = 0;
+    for_each_generated(generating(in_series(tied(parts_of("tube", "T,B", "M,F"), 3)),
+                                  finger_count(routing), identical),
+                       [&](const Routing& other) { found += other == routing ? 1 : 0; });
+    EXPECT_EQ(found, 1U) << word;
+  }
+}
+
 TEST(TreeGenerator, MoreBlocksComeBehindFewer) {
   const auto fewer = generated_words(generating(tied(paper_parts(), 1), 3, identical));
   auto more = generated_words(generating(tied(paper_parts(), 2), 3, identical));
@@ -171,7 +199,9 @@ TEST(TreeGenerator, NoTwoRoutingsAreTheSame) {
   for (const GeneratorOptions& o :
        {generating(tied(paper_parts(), 2), 2, identical), generating(tied(few, 3), 2, identical),
         generating(tied(few, 2), 3, identical), generating(tied(few, 2), 4, identical),
-        generating(linked(tied(few, 4)), 2, identical)}) {
+        generating(linked(tied(few, 4)), 2, identical),
+        generating(in_series(tied(few, 3)), 3, identical),
+        generating(linked(in_series(tied(parts_of("tube", "", "M"), 4))), 4, identical)}) {
     GraphClasses classes(25);
     std::uint64_t given = 0;
     for_each_generated(o, [&](const Routing& routing) {
@@ -202,6 +232,8 @@ TEST(TreeGenerator, StartsAnywhereInLargeSearches) {
   expect_good_places(generating(tied(full_parts(), 8), 4, identical, true), 2000);
   expect_good_places(generating(tied(paper_parts(), 5), 3, identical), 2000);
   expect_good_places(generating(tied(paper_parts(), 3), 4, distinct), 500);
+  expect_good_places(generating(in_series(tied(full_parts(), 8)), 6, identical, true), 500);
+  expect_good_places(generating(in_series(tied(full_parts(), 5)), 5, distinct), 200);
 }
 
 TEST(TreeGenerator, AsManyBlocksAsCanBeAndNoMore) {
@@ -210,6 +242,8 @@ TEST(TreeGenerator, AsManyBlocksAsCanBeAndNoMore) {
   };
   EXPECT_EQ(error_of(with_blocks(full_parts(), 9)), "blocks 9: expected a number from 0 to 8");
   EXPECT_EQ(error_of(with_blocks(full_parts(), -1)), "blocks -1: expected a number from 0 to 8");
+  EXPECT_EQ(error_of(in_series(with_beside(full_parts(), "P"))),
+            "beside-ends 'P': expected no joins beside ends together with blocks in series");
   EXPECT_GT(RoutingGenerator(generating(tied(full_parts(), 8), 2, identical)).total(), 100000U);
 }
 

@@ -22,7 +22,8 @@ constexpr std::size_t nothing = static_cast<std::size_t>(-1);
 
 // A port that is its own partner has an end, `part` % ends, and two strands a join of the kind
 // `part`. Partners of which one is a tail, and ends, touch, or have a join of the kind `part` - 1,
-// or `part` / ends - 1, between them; all other partners touch.
+// or `part` / ends - 1, between them. Sides of two passes touch or have a join of the kind
+// `part` - 1 between them; all other partners touch.
 struct Tie {
   std::size_t partner = nothing;
   std::size_t part = 0;
@@ -32,6 +33,7 @@ struct PortParts {
   std::size_t tips;  // the kind behind them is an anchored tip
   bool anchored;
   bool linked;
+  bool series;
   std::size_t joins;  // passive ones first
   std::size_t passive_joins;
   std::size_t ends;  // motor ones first
@@ -50,6 +52,7 @@ PortParts port_parts(const CountedTreeParts& counted) {
   return {many(parts.tube_like_tips),
           counted.anchored,
           counted.linked,
+          counted.series,
           many(parts.passive_joins + parts.motor_joins * counted.motors),
           many(parts.passive_joins),
           many(parts.motor_ends * counted.motors + parts.fixed_ends),
@@ -109,10 +112,8 @@ class Search {
     }
     for (std::size_t other = port + 1; other < ports_.size(); ++other) {
       if (ties_[other].partner != nothing || has_free_twin_before(port, other)) continue;
-      const PortKind kind = ports_[port].kind;
-      const std::size_t joins = ways_to_join(kind, ports_[other].kind);
-      const bool must_join =
-          kind == PortKind::tail && ports_[other].kind == PortKind::tail && !kinds_.linked;
+      const std::size_t joins = ways_to_join(ports_[port], ports_[other]);
+      const bool must_join = are_both(PortKind::tail, port, other) && !kinds_.linked;
       for (std::size_t join = must_join ? 1 : 0; join < joins; ++join) with(port, other, join);
     }
   }
@@ -131,10 +132,15 @@ class Search {
     ties_[port] = {};
   }
 
-  std::size_t ways_to_join(PortKind a, PortKind b) const {
-    if (a == PortKind::strand && b == PortKind::strand) return kinds_.joins;
-    if (a == PortKind::tail || b == PortKind::tail) return 1 + kinds_.beside;
-    return a == b ? 0 : 1;  // no two passes
+  bool are_both(PortKind kind, std::size_t a, std::size_t b) const {
+    return ports_[a].kind == kind && ports_[b].kind == kind;
+  }
+
+  std::size_t ways_to_join(const Port& a, const Port& b) const {
+    if (a.kind == PortKind::strand && b.kind == PortKind::strand) return kinds_.joins;
+    if (a.kind == PortKind::tail || b.kind == PortKind::tail) return 1 + kinds_.beside;
+    if (a.kind != b.kind) return 1;
+    return kinds_.series && a.owner != b.owner ? 1 + kinds_.joins : 0;  // of two passes
   }
 
   bool is_free(std::size_t port, std::size_t current) const {
@@ -182,29 +188,68 @@ class Search {
     return tendon;
   }
 
+  // Passes[t] holds the blocks that tendon t passes.
+  using Passes = std::vector<std::vector<std::size_t>>;
+
   bool is_generated() const {
     const std::vector<std::size_t> tendon = tendons();
-    std::vector<std::size_t> passes(ports_.size(), nothing);  // the block that a tendon passes
+    Passes passes(ports_.size());  // by tendon
+    std::vector<std::size_t> above(blocks_);
     for (std::size_t p = 0; p < ports_.size(); ++p) {
-      if (ports_[p].kind != PortKind::side) continue;
-      std::size_t& block = passes[tendon[p]];
-      if (block != nothing && block != ports_[p].owner) return false;
-      block = ports_[p].owner;
+      const auto [kind, owner] = ports_[p];
+      if (kind == PortKind::tail) above[owner] = tendon[p];
+      if (kind == PortKind::side &&
+          (p == 0 || !are_both(kind, p - 1, p) || ports_[p - 1].owner != owner)) {
+        passes[tendon[p]].push_back(owner);
+      }
     }
-    std::vector<bool> carries(blocks_, false);  // something but bare ends
-    std::vector<std::size_t> above(blocks_, nothing);
+    std::vector<std::size_t> tree(ports_.size());  // by tendon
+    std::iota(tree.begin(), tree.end(), std::size_t{0});
+    std::vector<std::size_t> roots_in_series;
+    for (std::size_t t = 0; t < ports_.size(); ++t) {
+      for (const std::size_t block : passes[t]) {
+        const std::size_t from = tree[t];
+        if (from == tree[above[block]]) return false;  // it hangs on itself, or twice
+        std::replace(tree.begin(), tree.end(), from, tree[above[block]]);
+      }
+      if (passes[t].size() == 1 && !carries_more_than_ends(t, tendon)) return false;
+      if (passes[t].size() < 2) continue;
+      if (!kinds_.series || !is_root_in_series(t, tendon, passes, above)) return false;
+      roots_in_series.push_back(t);
+    }
+    std::vector<std::size_t> of_trees;
+    for (const std::size_t root : roots_in_series) of_trees.push_back(tree[root]);
+    std::sort(of_trees.begin(), of_trees.end());
+    return std::adjacent_find(of_trees.begin(), of_trees.end()) == of_trees.end();
+  }
+
+  bool carries_more_than_ends(std::size_t t, const std::vector<std::size_t>& tendon) const {
     for (std::size_t p = 0; p < ports_.size(); ++p) {
-      const std::size_t block = passes[tendon[p]];
-      if (ports_[p].kind == PortKind::tail) above[ports_[p].owner] = block;
-      if (ports_[p].kind != PortKind::side && block != nothing) carries[block] = true;
+      if (tendon[p] == t && ports_[p].kind != PortKind::side) return true;
     }
-    for (std::size_t b = 0; b < blocks_; ++b) {
-      if (!carries[b]) return false;
-      std::size_t top = b;
-      for (std::size_t i = 0; i <= blocks_ && top != nothing; ++i) top = above[top];
-      if (top != nothing) return false;  // it hangs on itself
+    return false;
+  }
+
+  // Open, its passes side by side, each block on a tendon that passes none and is more than an end.
+  bool is_root_in_series(std::size_t t, const std::vector<std::size_t>& tendon,
+                         const Passes& passes, const std::vector<std::size_t>& above) const {
+    std::size_t ends = 0;
+    std::size_t side_by_side = 0;
+    for (std::size_t p = 0; p < ports_.size(); ++p) {
+      const auto [kind, owner] = ports_[p];
+      const std::size_t partner = ties_[p].partner;
+      if (kind == PortKind::tail && partner == p &&
+          std::count(passes[t].begin(), passes[t].end(), owner) > 0) {
+        return false;
+      }
+      if (tendon[p] != t) continue;
+      const bool is_anchor = kind == PortKind::strand && is_anchored(owner);
+      if (partner == p || is_anchor || kind == PortKind::tail) ++ends;
+      if (partner > p && are_both(PortKind::side, p, partner)) ++side_by_side;
     }
-    return true;
+    return ends == 2 && side_by_side + 1 == passes[t].size() &&
+           std::all_of(passes[t].begin(), passes[t].end(),
+                       [&](std::size_t block) { return passes[above[block]].empty(); });
   }
 
   // Colours: strand, side, tail, block, ends, joins, joins beside ends, carriages, tips.
@@ -261,13 +306,19 @@ class Search {
       const std::size_t end = part % kinds_.ends;
       const Vertex tied = add_part({4 + end, end < kinds_.motor_ends}, graph);
       add_beside(p, tied, part / kinds_.ends, graph);
-    } else if (ports_[p].kind == PortKind::strand && ports_[partner].kind == PortKind::strand) {
-      const Vertex join = add_part({first_join() + part, part >= kinds_.passive_joins}, graph);
-      boost::add_edge(p, join, graph);
-      boost::add_edge(partner, join, graph);
+    } else if (are_both(PortKind::strand, p, partner)) {
+      add_join(p, partner, part, graph);
+    } else if (are_both(PortKind::side, p, partner) && part > 0) {
+      add_join(p, partner, part - 1, graph);
     } else {
       add_beside(p, partner, part, graph);
     }
+  }
+
+  void add_join(Vertex a, Vertex b, std::size_t kind, Graph& graph) const {
+    const Vertex join = add_part({first_join() + kind, kind >= kinds_.passive_joins}, graph);
+    boost::add_edge(a, join, graph);
+    boost::add_edge(b, join, graph);
   }
 
   void add_beside(Vertex a, Vertex b, std::size_t variant, Graph& graph) const {

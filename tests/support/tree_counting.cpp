@@ -6,6 +6,8 @@
 //   block      C = y [ (H² + swap(H)) / 2 − pairs of bare M, F + loops through the pass ]
 //   root       M C + t z (E² + swap(E)) / 2 + x z E + linked (C² + swap(C)) / 2
 //                  + ( A² j / (1 − j t z) + swap(A) palindromes ) / 2 + loops,   A = x z + t z E
+//   series     Σ_{q>1} ( H² (y U)^q g^(q−1) + palindromes ) / 2,   g = 1 + j beads between passes,
+//              U = (x z + t z E) / (1 − j t z) + linked C: a tendon from a tail to its other end
 //
 // Identical fingers: ordinary series, swap(f)(z, y) = f(z², y²), and the Euler transform of trees.
 // Distinct fingers: exponential series in z, so that only what has no finger equals its reversal,
@@ -126,6 +128,7 @@ struct Kinds {
   std::int64_t ends;
   std::int64_t anchors;
   bool linked;
+  bool series;
 };
 
 // 1 / (1 − j t z): fingers with a join behind each.
@@ -193,6 +196,30 @@ std::int64_t loops(const Ring& ring, const Kinds& kinds, std::size_t m) {
   return fixed / (2 * size);
 }
 
+Series raised(const Series& base, std::size_t exponent) {
+  Series result(base.ring(), 1, 0, 0);
+  for (std::size_t i = 0; i < exponent; ++i) result = result * base;
+  return result;
+}
+
+// Roots that pass two blocks or more, by what hangs on these and at their own ends.
+Series roots_in_series(const Ring& ring, const Kinds& kinds, const Series& below) {
+  const Series z(ring, 1, 1, 0);
+  const Series end = Series(ring, kinds.ends, 0, 0) + below;
+  const Series fingers = (kinds.anchors * z + kinds.tips * (z * end)) * chains(ring, kinds);
+  const Series walk = fingers + end;
+  const Series pass = Series(ring, 1, 0, 1) * (kinds.linked ? fingers + below : fingers);
+  Series sum(ring);
+  for (std::size_t q = 2; q <= ring.blocks; ++q) {
+    const Series all = power(1 + kinds.joins, q - 1) * (walk * walk * raised(pass, q));
+    const Series middle = q % 2 == 0 ? Series(ring, 1, 0, 0) : pass;
+    const Series same =
+        power(1 + kinds.joins, q / 2) * (swap(walk) * raised(swap(pass), q / 2) * middle);
+    sum = sum + half(all + same);
+  }
+  return sum;
+}
+
 Series trees(const Ring& ring, const Kinds& kinds) {
   const Series z(ring, 1, 1, 0);
   const Series below = blocks(ring, kinds);
@@ -201,6 +228,7 @@ Series trees(const Ring& ring, const Kinds& kinds) {
   Series sum = kinds.motors * below;
   sum = sum + kinds.tips * (z * half(end * end + swap(end))) + kinds.anchors * (z * end);
   if (kinds.linked) sum = sum + half(below * below + swap(below));
+  if (kinds.series) sum = sum + roots_in_series(ring, kinds, below);
   sum = sum +
         half(kinds.joins * (last * last * chains(ring, kinds)) + palindromes(ring, kinds, last));
   for (std::size_t m = 1; m <= ring.fingers; ++m) {
@@ -258,8 +286,8 @@ RoutingCounts count_trees(const CountedTreeParts& counted, int fingers, int bloc
   const int joins = parts.passive_joins + parts.motor_joins;
   const int ends = parts.motor_ends + parts.fixed_ends;
   const auto trees_with = [&](int with_joins, int motor_ends, int with_ends) {
-    return series::trees(
-        ring, {parts.tube_like_tips, with_joins, motor_ends, with_ends, anchors, counted.linked});
+    return series::trees(ring, {parts.tube_like_tips, with_joins, motor_ends, with_ends, anchors,
+                                counted.linked, counted.series});
   };
   const auto all = trees_with(joins, parts.motor_ends, ends);
   const auto passive = trees_with(parts.passive_joins, 0, parts.fixed_ends);

@@ -14,6 +14,7 @@ struct CountedTreeParts {
   CountedParts parts;
   bool anchored = false;  // a tendon may be tied at a fingertip
   bool linked = false;    // two tails may be tied to each other
+  bool series = false;    // a root may pass several blocks
   // Brute force only:
   int motors = 1;          // of several, each pulls something
   int passive_beside = 0;  // kinds of joins that may stand beside an end or a tail
