@@ -2,7 +2,10 @@
 // REEVE_MECHANISMS=N tries N of them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <iostream>
+#include <random>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -10,6 +13,7 @@
 #include "core/notation.hpp"
 #include "core/tension/tension.hpp"
 #include "tests/property/observed_state.hpp"
+#include "tests/search/generated.hpp"
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/random_routing.hpp"
 #include "tests/support/reference_comparison.hpp"
@@ -124,6 +128,63 @@ TEST(ReferenceProperty, TreesAndTacklesAreThoseOfAnIndependentSolver) {
        {seen.jams, seen.released, seen.loops, seen.bars, seen.tackles, seen.sticking}) {
     EXPECT_GT(cases, 50);
   }
+}
+
+bool has_linked_blocks_or_a_series(const Routing& routing) {
+  return std::any_of(routing.tendons.begin(), routing.tendons.end(), [](const Tendon& tendon) {
+    const auto many = [&](TokenKind kind) {
+      return std::count_if(tendon.walk.begin(), tendon.walk.end(),
+                           [&](const Token& token) { return token.kind == kind; });
+    };
+    return many(TokenKind::block_pass) > 1 ||
+           (tendon.walk.size() == 2 && many(TokenKind::block_tail) == 2);
+  });
+}
+
+TEST(ReferenceProperty, LinkedBlocksAndSeriesAreThoseOfAnIndependentSolver) {
+  const search::PartSet few = testing::with_blocks(testing::anchored(search::full_parts()), 4);
+  int solved = 0;
+  int refused = 0;
+  for (const search::PartSet& parts :
+       {testing::linked(few), testing::in_series(few), testing::linked(testing::in_series(few))}) {
+    for (int fingers = 2; fingers <= 5; ++fingers) {
+      search::RoutingGenerator generator(
+          testing::generating(parts, fingers, testing::identical, true));
+      std::mt19937_64 engine(static_cast<std::uint64_t>(fingers));
+      Dice dice(engine());
+      for (int i = 0; i < 150; ++i) {
+        Routing routing;
+        generator.seek(engine() % generator.total());
+        generator.next(routing);
+        if (!is_actuated(routing) || !has_linked_blocks_or_a_series(routing)) continue;
+        const std::string word = to_word(routing);
+        const ReferenceHardware hardware = testing::random_reference_hardware(dice, word);
+        const Network network = expand(routing);
+        const Grasp grasp = testing::random_grasp(dice, fingers);
+        SCOPED_TRACE(word + ", held " + to_text(grasp));
+        const std::vector<int> held = held_fingers(grasp);
+        const Mechanics m = mechanics_of(network, hardware);
+        TensionState state;
+        TensionSolver().solve(network, m, grasp, Direction::pull, state);
+        const auto reference = [&] {
+          return testing::reference_tensions(word, {held.begin(), held.end()},
+                                             ReferenceDirection::pull, hardware);
+        };
+        if (!state.in_range) {
+          EXPECT_THROW(reference(), std::invalid_argument);
+          ++refused;
+          continue;
+        }
+        EXPECT_EQ(testing::disagreement(word, reference(), testing::observed(network, m, state),
+                                        {.tension = 1e-9}),
+                  "");
+        ++solved;
+      }
+    }
+  }
+  std::cout << "XX " << solved << " " << refused << "\n";
+  EXPECT_GT(solved, 500);
+  EXPECT_LT(refused, solved / 10);
 }
 
 }  // namespace
