@@ -120,7 +120,7 @@ class Counter {
     });
   }
 
-  // Each riser of a block with what else there may be.
+  // Counts a pass with its riser and the others, which are so many of each size.
   template <typename Others>
   std::uint64_t beside_risers(std::size_t p, TreeSize size, Others others) const {
     std::uint64_t sum = 0;

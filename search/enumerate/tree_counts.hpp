@@ -14,15 +14,15 @@
 //                    v Σ_m (e t^m + x t^(m-1)) J^(m-1) C(n-m,k); between two tails nothing, where
 //                    they may be linked, b joins, or m fingers: an unordered pair of branches, each
 //                    with half of the walk, about the bead in its middle
-//   series   where blocks may stand in series: a root that passes q > 1 blocks, each of which hangs
-//            on a tendon with a finger that passes none. b = 0; before a pass that is not the first
-//            on its side of the root's middle stands one of g = 1 + J beads, nothing or a join
-//   riser    U(n,k)  such a tendon, from the block's tail on: H(n,k), less C(n,k) unless tails may
-//                    be linked; U(0,k) = 0
-//   arm      A(q,n,k) of the root, from its middle outwards: A(0,n,k) = H(n,k), and for q passes
+// Where blocks may stand in series, a root may also pass q > 1 blocks. Each of them hangs on a
+// riser, a tendon that passes none and has a finger on or below it. Between two passes stands one
+// of g = 1 + J beads, nothing or a join; b = 0:
+//   riser    U(n,k)  from the block's tail outwards: H(n,k) for n > 0, less C(n,k) unless tails may
+//                    be linked
+//   arm      A(q,n,k) of the root, with q passes, from its middle outwards: A(0,n,k) = H(n,k), and
 //                    Σ U(m,l) A(q-1,n-m,k-l-1), times g for q > 1
-//   tree     + unordered pairs of arms of q passes about one of g beads, or about a pass, each with
-//            one of g beads: Σ U(m,l) pairs
+//   tree     an unordered pair of arms of q passes each, about one of g beads; or about a pass with
+//                    its riser, where each arm has one of g beads before it
 // Unordered pairs of equals are counted by (X² + X)/2 (Burnside for the reversal). With distinct
 // fingers nothing is its own reversal, so the first of a pair is the one with the least finger.
 // Where motors are renamed (counting.hpp), the X that stands alone counts what the renaming, done
@@ -114,7 +114,7 @@ bool may_hang_on_motor(const PartSet& parts);
 // and for each of them its joins.
 bool may_hang(TokenKind end, TokenKind beside);
 
-// Beads between two passes of a root, nothing or a join, that is before an arm with a pass.
+// Beads before an arm with so many passes, behind another pass: nothing, or a join if it has any.
 inline std::uint64_t beads_before(const PartSet& parts, int passes) {
   return passes > 0 ? 1 + parts.joins.size() : 1;
 }

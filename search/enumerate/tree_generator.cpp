@@ -261,9 +261,8 @@ bool TreeGenerator::precedes(const Span& a, const Span& b) const {
     return std::lexicographical_compare_three_way(at(a.begin), at(a.end), at(b.begin), at(b.end),
                                                   compare);
   };
-  const auto shapes =
-      order([](const Tendon& x, const Tendon& y) { return compare_shapes(x, y); });
-  // Only of a tendon in series, shapes do not tell by which of its blocks it is reached.
+  const auto shapes = order([](const Tendon& x, const Tendon& y) { return compare_shapes(x, y); });
+  // Shapes tell all but by which of several blocks in series a tendon is reached.
   return shapes != 0 ? shapes < 0 : order(compare_blocks) < 0;
 }
 

@@ -87,8 +87,8 @@ class TreeDecoder {
   bool decode_hanging(const TreeIndex& tree, Digits& digits, SplitTendon& tendon) const;
   void decode_two_tailed(int m, TreeSize below, FingerSet fingers, Digits& digits,
                          SplitTendon& tendon) const;
-  // A riser, whose pass is appended to the walk, out of so many others of each size. Returns the
-  // others.
+  // Appends a pass to the walk and its riser to the tendon. Returns the others, of which there are
+  // so many of each size.
   template <typename Others>
   TreeIndex decode_pass(const TreeIndex& whole, Others others, Walk& walk,
                         SplitTendon& tendon) const;

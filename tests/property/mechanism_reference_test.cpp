@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <iostream>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -144,7 +143,6 @@ bool has_linked_blocks_or_a_series(const Routing& routing) {
 TEST(ReferenceProperty, LinkedBlocksAndSeriesAreThoseOfAnIndependentSolver) {
   const search::PartSet few = testing::with_blocks(testing::anchored(search::full_parts()), 4);
   int solved = 0;
-  int refused = 0;
   for (const search::PartSet& parts :
        {testing::linked(few), testing::in_series(few), testing::linked(testing::in_series(few))}) {
     for (int fingers = 2; fingers <= 5; ++fingers) {
@@ -166,25 +164,16 @@ TEST(ReferenceProperty, LinkedBlocksAndSeriesAreThoseOfAnIndependentSolver) {
         const Mechanics m = mechanics_of(network, hardware);
         TensionState state;
         TensionSolver().solve(network, m, grasp, Direction::pull, state);
-        const auto reference = [&] {
-          return testing::reference_tensions(word, {held.begin(), held.end()},
-                                             ReferenceDirection::pull, hardware);
-        };
-        if (!state.in_range) {
-          EXPECT_THROW(reference(), std::invalid_argument);
-          ++refused;
-          continue;
-        }
-        EXPECT_EQ(testing::disagreement(word, reference(), testing::observed(network, m, state),
+        const auto expected = testing::reference_tensions(word, {held.begin(), held.end()},
+                                                          ReferenceDirection::pull, hardware);
+        EXPECT_EQ(testing::disagreement(word, expected, testing::observed(network, m, state),
                                         {.tension = 1e-9}),
                   "");
         ++solved;
       }
     }
   }
-  std::cout << "XX " << solved << " " << refused << "\n";
   EXPECT_GT(solved, 500);
-  EXPECT_LT(refused, solved / 10);
 }
 
 }  // namespace

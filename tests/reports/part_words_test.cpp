@@ -18,11 +18,12 @@ TEST(PartsText, CountsOneBlockAndMore) {
   EXPECT_FALSE(has(parts_text(search::paper_parts()), "block"));
 }
 
-TEST(PartsText, NamesSeveralMotorsJoinsBesideEndsAndLinkedBlocks) {
+TEST(PartsText, NamesSeveralMotorsJoinsBesideEndsLinkedBlocksAndSeries) {
   PartSet parts = search::paper_parts();
   EXPECT_FALSE(parts_json(parts).contains("motors"));
   EXPECT_FALSE(parts_json(parts).contains("beside_ends"));
   EXPECT_FALSE(parts_json(parts).contains("linked"));
+  EXPECT_FALSE(parts_json(parts).contains("series"));
   parts.motors = 2;
   parts.beside = search::parse_joins("B,P");
   EXPECT_EQ(parts_text(parts), "tips tube; joins T, P; ends M, F; 2 motors; beside ends B, P");
@@ -31,6 +32,9 @@ TEST(PartsText, NamesSeveralMotorsJoinsBesideEndsAndLinkedBlocks) {
   parts.linked = true;
   EXPECT_TRUE(has(parts_text(parts), "; beside ends B, P; linked blocks"));
   EXPECT_EQ(parts_json(parts)["linked"], true);
+  parts.series = true;
+  EXPECT_TRUE(has(parts_text(parts), "; linked blocks; blocks in series"));
+  EXPECT_EQ(parts_json(parts)["series"], true);
 }
 
 TEST(LeftOutText, NamesThePartsAndTheOptionThatAsksForThem) {

@@ -47,6 +47,18 @@ TEST(ExploreTrees, LinkedBlocksMakeThreeEqualFingersWithOneSheath) {
               (2 * 2 * r / (1 + r) + 2 * r) / 4, 1e-9);
 }
 
+// On one side of each block is an end of the tendon, on the other the strand between the blocks,
+// with r of the end's tension in every grasp.
+TEST(ExploreTrees, BlocksInSeriesPullTwoFingersAlike) {
+  PartSet parts = with_blocks(all_parts(), 2);
+  const std::string word = "1x-Y1+M-Y1-Y2-M+2x-Y2";
+  EXPECT_FALSE(is_among(word, explore(options_for(parts, 2)).front));
+  parts.series = true;
+  const ExploreResult result = explore(options_for(parts, 2));
+  EXPECT_EQ(result.top.front().design.word, word);
+  EXPECT_NEAR(value(result.top.front().design.values, Objective::uniformity_mean), 1, 1e-9);
+}
+
 // Of the options' references, too: a tree that was generated is found by its word.
 TEST(ExploreTrees, AReferenceWithABlockIsFoundAmongTheRoutings) {
   ExploreOptions options = options_for(all_parts(), 2);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -28,6 +29,15 @@ TEST(FieldParts, PullEachFingerByABlockWhereThatIsFewRoutings) {
     EXPECT_EQ(field.parts.blocks, fingers - 1);
     EXPECT_TRUE(field.parts.anchored);
     EXPECT_FALSE(field.left_out);
+  }
+}
+
+TEST(FieldParts, InSeriesHaveABlockForEachFinger) {
+  for (int fingers = 1; fingers <= 4; ++fingers) {
+    FieldRequest request = request_for(fingers);
+    request.generator.parts.series = true;
+    EXPECT_EQ(field_parts(request).parts.blocks, std::min(fingers, 3));
+    EXPECT_EQ(field_parts(request).left_out.has_value(), fingers == 4);
   }
 }
 
