@@ -131,7 +131,7 @@ TEST(LimitedGenerator, GivesOfFloatingBlocksThoseWithinTheLimits) {
     expect_all(generating(with_blocks(parts, 2), 3, identical), {"sheaths<=1", "pulleys<=2"});
   }
   for (const PartSet& parts : {anchored(paper_parts()), linked(anchored(paper_parts())),
-                               linked(in_series(anchored(parts_of("tube", "P", "M"))))}) {
+                               in_series(anchored(parts_of("tube", "P", "M")))}) {
     expect_all(generating(with_blocks(parts, 4), 4, identical), {"sheaths<=1"}, 3);
   }
 }
