@@ -76,11 +76,22 @@ class Searching {
     return std::move(result_);
   }
 
+  // What explains the readings instead of all coefficients that differ explains them instead of
+  // each: cold rigs have smoother sheaths and tubes.
   Explanation take_with_alternatives() {
     Explanation result = take();
+    std::vector<Effect> differing;
     for (std::size_t i = 0; i < result.calibrations.size(); ++i) {
       const Calibration& calibration = result.calibrations[i];
-      if (calibration.differs) result.instead[i] = instead_of(calibration.effect);
+      if (!calibration.differs) continue;
+      differing.push_back(calibration.effect);
+      result.instead[i] = instead_of({calibration.effect});
+    }
+    if (differing.size() < 2) return result;
+    const std::vector<Alternative> of_all = instead_of(differing);
+    for (std::size_t i = 0; i < result.calibrations.size(); ++i) {
+      if (!result.calibrations[i].differs) continue;
+      result.instead[i].insert(result.instead[i].end(), of_all.begin(), of_all.end());
     }
     return result;
   }
@@ -110,15 +121,21 @@ class Searching {
  private:
   std::vector<AcceptedTerm>& accepted() { return search_.accepted; }
 
-  // Returns the terms that explain the readings hardly less if this coefficient is as the hardware
-  // says.
-  std::vector<Alternative> instead_of(const Effect& coefficient) const {
+  // Returns the terms that explain the readings hardly less if these coefficients are as the
+  // hardware says. A term has no merit by having fewer parameters than they are: that several
+  // coefficients differ is no rarer than that one does.
+  std::vector<Alternative> instead_of(const std::vector<Effect>& coefficients) const {
     const Scored& now = search_.now;
-    const Scored less = search_.fitted(without(now.model, place(now.model, coefficient)));
+    Model as_hardware = now.model;
+    for (const Effect& coefficient : coefficients) {
+      as_hardware = without(as_hardware, place(as_hardware, coefficient));
+    }
+    const Scored less = search_.fitted(as_hardware);
     std::vector<Alternative> result;
     for (Scored& way : ways_on(search_, words_, less, {now.likelihood}, search_.accepted.size())) {
       if (term_of(*way.term.effect.cause) != nullptr) continue;
-      const double more = static_cast<double>(way.term.parameters) - 1;
+      const double more = std::max(
+          static_cast<double>(way.term.parameters) - static_cast<double>(coefficients.size()), 0.0);
       const double deficit =
           now.likelihood.value - way.likelihood.value + more * search_.price_of_parameter();
       if (!(deficit < least_evidence)) continue;
