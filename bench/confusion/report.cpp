@@ -319,7 +319,8 @@ std::string report(Part part, const std::vector<Outcome>& outcomes, double visib
 std::string misses(const std::vector<Outcome>& outcomes, double visible) {
   std::string out;
   for (const Outcome& outcome : outcomes) {
-    if (as_it_should_be(outcome) || !is_visible(outcome, visible)) continue;
+    const bool stays_open = outcome.trial.part == Part::alias && !resolves(outcome);
+    if ((as_it_should_be(outcome) && !stays_open) || !is_visible(outcome, visible)) continue;
     out += fmt::format("- {} {} ({}), ratio {:.0f}: {} -> {}", part_name(outcome.trial.part),
                        outcome.trial.seed, outcome.trial.column(), outcome.oracle,
                        fmt::join(outcome.planted, " + "), found_text(outcome.finding));
