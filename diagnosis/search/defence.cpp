@@ -8,6 +8,24 @@
 namespace reeve::diagnosis {
 namespace {
 
+// A coefficient of another value than the hardware says costs a parameter and which one it is; at
+// its value of the hardware it would cost what it gains. So of causes that explain alike beside
+// coefficients of their own, the likeliest leaves these as the hardware says.
+double cost_of_coefficients(const SearchedModel& search, const Model& model) {
+  const Problem& problem = search.now.likelihood.problem;
+  const double fitted = misfit(problem, model);
+  std::vector<double> gains;
+  for (std::size_t e = 0; e < model.effects.size(); ++e) {
+    if (!is_open_coefficient(model.effects[e], model.hardware)) continue;
+    const Fit held = fit(problem, without(model, e), Precision::to_compare);
+    gains.push_back(std::max((held.misfit - fitted) / 2, 0.0));
+  }
+  const double most = search.price_of_parameter() + std::log(static_cast<double>(gains.size()));
+  double sum = 0;
+  for (const double gain : gains) sum += std::min(gain, most);
+  return sum;
+}
+
 // Takes the shortest of the forms of one law that are hardly less likely. Returns its evidence.
 double take_simplest(SearchedModel& search, const std::vector<Scored>& ways, std::size_t c,
                      double evidence) {
@@ -22,7 +40,7 @@ double take_simplest(SearchedModel& search, const std::vector<Scored>& ways, std
   if (simplest == nullptr) return evidence;
   search.accepted[c] = simplest->term;
   search.settle(simplest->model);
-  return search.now.evidence;
+  return search.now.evidence - cost_of_coefficients(search, search.now.model);
 }
 
 // A cause of the library has precedence over a law that equals it.
@@ -34,6 +52,16 @@ bool is_a_law_of_its_name(const SearchedModel& search, const Scored& way, const 
   const Eigen::VectorXd apart_N = forecast(search.dataset, way.model).reading_N -
                                   forecast(search.dataset, search.now.model).reading_N;
   return apart_N.cwiseQuotient(search.now.likelihood.problem.deviation_N).norm() <= same;
+}
+
+// Those that could be as likely as the accepted term, the likeliest first.
+void weigh_coefficients(const SearchedModel& search, std::vector<Scored>& ways) {
+  constexpr double most = 20;  // no coefficients cost more nats
+  for (Scored& way : ways) {
+    if (!(search.now.evidence - way.evidence < most)) break;
+    way.evidence -= cost_of_coefficients(search, way.model);
+  }
+  most_evident_first(ways);
 }
 
 }  // namespace
@@ -71,7 +99,8 @@ void defend(SearchedModel& search, const Vocabulary& words, std::size_t c) {
       ways_on(search, words, less, {search.now.likelihood}, search.accepted.size());
   search.accepted.insert(search.accepted.begin() + at, own);
   if (ways.empty()) return;
-  double evidence = search.now.evidence;
+  double evidence = search.now.evidence - cost_of_coefficients(search, search.now.model);
+  weigh_coefficients(search, ways);
   if (ways.front().evidence > evidence + clearly_likelier &&
       !same_effect(ways.front().term.effect, own.effect)) {
     search.accepted[c] = ways.front().term;

@@ -26,11 +26,6 @@ bool has(const Model& model, const Effect& effect) {
   });
 }
 
-void most_evident_first(std::vector<Scored>& ways) {
-  std::stable_sort(ways.begin(), ways.end(),
-                   [](const Scored& a, const Scored& b) { return a.evidence > b.evidence; });
-}
-
 class RivalTerms {
  public:
   RivalTerms(const SearchedModel& search, const Vocabulary& words, const Scored& from)
@@ -218,6 +213,11 @@ class RivalTerms {
 };
 
 }  // namespace
+
+void most_evident_first(std::vector<Scored>& ways) {
+  std::stable_sort(ways.begin(), ways.end(),
+                   [](const Scored& a, const Scored& b) { return a.evidence > b.evidence; });
+}
 
 std::vector<Likelihood> views(const SearchedModel& search, const Effort& effort) {
   const Scored& now = search.now;

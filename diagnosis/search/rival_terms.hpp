@@ -41,6 +41,8 @@ struct Vocabulary {
   std::function<const Screened&(const Model&, std::size_t)> screened{};
 };
 
+void most_evident_first(std::vector<Scored>& ways);
+
 // How the current model's readings are seen: as is likeliest, and with mountings that hardly differ
 // and with a motor that does not scatter, so that a term can explain what they would.
 std::vector<Likelihood> views(const SearchedModel& search, const Effort& effort);

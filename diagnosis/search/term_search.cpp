@@ -77,7 +77,7 @@ class Searching {
   }
 
   // What explains the readings instead of all coefficients that differ explains them instead of
-  // each: cold rigs have smoother sheaths and tubes.
+  // each: wear makes sheaths and tubes rougher in one proportion.
   Explanation take_with_alternatives() {
     Explanation result = take();
     std::vector<Effect> differing;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -149,6 +150,58 @@ TEST(Calibration, OfOneMountingAssumesHowTheyDiffer) {
   ASSERT_EQ(result.calibration.size(), 1U);
   const EstimatedParameter& mu = result.calibration[0].parameter;
   EXPECT_GT(mu.high - mu.low, 2 * 1.9 * assumed_scatter[0] * 0.17);
+}
+
+// T1 and T3 stand each behind a sheath of its own. With phi = mu theta, a coefficient that is
+// greater and a second sheath that bends less say the same as a first sheath that bends more.
+std::string csv_of_two_sheaths(double mu, double angle_1, double angle_2) {
+  std::string csv = "run,routing,motor_tension_N,T1_N,T3_N\n";
+  std::uint64_t index = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double motor = 10 + 4 * (i % 10);
+    const auto reading = [&](double angle) {
+      return motor * std::exp(-mu * angle) * (1 + 0.01 * normal(5, 8, index++));
+    };
+    csv += fmt::format("{},M-1-T-2-F,{},{},\n", i / 40, motor, reading(angle_1));
+    csv += fmt::format("{},M-2-T-1-F,{},,{}\n", i / 40, motor, reading(angle_2));
+  }
+  return csv;
+}
+
+TEST(Calibration, OfCausesThatExplainAlikeTheCoefficientDecides) {
+  constexpr double angle = 2 * std::numbers::pi;
+  const std::string csv = csv_of_two_sheaths(0.18, angle + 1, angle);
+  const DiagnosisResult as_the_hardware_says = diagnosed_sheaths(csv);
+  EXPECT_TRUE(is_named(as_the_hardware_says, "sheath_angle[1]"));
+  EXPECT_FALSE(is_named(as_the_hardware_says, "sheath_angle[2]"));
+  Hardware guessed;
+  guessed.sheath.mu = 0.15;
+  const DiagnosisResult as_no_hardware_says = diagnosed_sheaths(csv, guessed);
+  EXPECT_TRUE(is_named(as_no_hardware_says, "sheath_angle[1]"));
+  EXPECT_TRUE(is_named(as_no_hardware_says, "sheath_angle[2]"));
+}
+
+// Worn sheaths and tubes are both rougher, in one proportion.
+TEST(Calibration, OneCauseMayStandForSeveralCoefficients) {
+  const double phi = 0.18 * 1.3;
+  std::string csv = "run,routing,motor_tension_N,cycle,T1_N,T2_N,T3_N,T4_N\n";
+  std::uint64_t index = 0;
+  for (int i = 0; i < 120; ++i) {
+    const double motor = 10 + 4 * (i % 10);
+    const std::array<double, 4> angles{2, 3, 4, 5};  // in pi: a sheath, and three tubes
+    csv += fmt::format("{},M-1-T-2-F,{},2000", i / 20, motor);
+    for (const double half_turns : angles) {
+      const double tension = motor * std::exp(-phi * half_turns * std::numbers::pi);
+      csv += fmt::format(",{}", tension * (1 + 0.01 * normal(5, 9, index++)));
+    }
+    csv += "\n";
+  }
+  const DiagnosisResult result = diagnosed_sheaths(csv);
+  EXPECT_EQ(std::count_if(result.calibration.begin(), result.calibration.end(),
+                          [](const CalibratedCoefficient& each) { return each.differs; }),
+            2);
+  EXPECT_EQ(result.verdict, Verdict::indistinguishable);
+  EXPECT_TRUE(is_named(result, "wear"));
 }
 
 }  // namespace
