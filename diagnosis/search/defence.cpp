@@ -8,9 +8,7 @@
 namespace reeve::diagnosis {
 namespace {
 
-// A coefficient of another value than the hardware says costs a parameter and which one it is; at
-// its value of the hardware it would cost what it gains. So of causes that explain alike beside
-// coefficients of their own, the likeliest leaves these as the hardware says.
+// Each coefficient gains what the model would lose with the hardware's value in its place.
 double cost_of_coefficients(const SearchedModel& search, const Model& model) {
   const Problem& problem = search.now.likelihood.problem;
   const double fitted = misfit(problem, model);

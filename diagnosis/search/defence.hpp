@@ -1,5 +1,11 @@
 // Defence of accepted terms. Each is put against nothing, and against others: one with more
-// evidence takes its place, and those with hardly less share its probability, p_i ~ e^{E_i}.
+// evidence takes its place, and those with hardly less share its probability, p_i ~ e^{E_i}. The
+// evidence of a model is less here by what its free coefficients of friction cost: with k of them,
+// each of which gains G_c over the hardware's value,
+//
+//   sum over c of min(G_c, ln(n)/2 + ln(k))
+//
+// so that of causes that explain alike the one is likelier that leaves them as the hardware says.
 #pragma once
 
 #include "diagnosis/search/rival_terms.hpp"
