@@ -97,8 +97,7 @@ void FoundLaws::keep(const LeverLaw& law, double gain, std::vector<double> value
   if (evidence <= 0) return;
   const Cause& cause =
       crossing.empty() ? causes::law(law.term) : causes::law_with_free_crossing(law.term);
-  found_.push_back(
-      {{{&cause, {}, std::move(values)}, cost, gain, evidence}, law.lever, law.kind});
+  found_.push_back({{{&cause, {}, std::move(values)}, cost, gain, evidence}, law.lever, law.kind});
 }
 
 std::vector<ScreenedLaw> FoundLaws::best(std::size_t most) const {

@@ -7,6 +7,7 @@ namespace reeve::diagnosis {
 std::vector<ScreenedLaw> best_laws(const LawTable& table, const Problem& problem,
                                    const Forecast& at, const Projection& projection,
                                    const Eigen::VectorXd& residuals, std::size_t most) {
+  if (most == 0) return {};
   const LawColumns columns(table, problem, at, projection, residuals);
   FoundLaws found(columns);
   const std::vector<Bend> bends = screen_straight(columns, found);

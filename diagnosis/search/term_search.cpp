@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <set>
 #include <string>
 #include <tuple>
@@ -94,6 +95,14 @@ class Searching {
       result.instead[i].insert(result.instead[i].end(), of_all.begin(), of_all.end());
     }
     return result;
+  }
+
+  double evidence() const { return search_.now.evidence; }
+  std::size_t terms() const { return search_.accepted.size(); }
+
+  bool has_laws() const {
+    return std::any_of(search_.accepted.begin(), search_.accepted.end(),
+                       [](const auto& term) { return term_of(*term.effect.cause) != nullptr; });
   }
 
   const ScatterLevel& level() const { return search_.now.likelihood.level; }
@@ -268,11 +277,25 @@ std::optional<Explanation> TermSearch::run(const std::function<bool(const char*)
     }
     return screened_[std::min(step, screened_.size() - 1)];
   };
-  Searching searching(dataset_, {causes_, options_.terms, {}, screened}, options_, workers_);
-  searching.calibrate(nominal_, coefficients_);
-  if (!searching.find(stop)) return std::nullopt;
-  level_ = searching.level();
-  Explanation found = searching.take_with_alternatives();
+  const auto searched = [&](const Effort& effort, const TermSearchOptions& options) {
+    auto search = std::make_unique<Searching>(
+        dataset_, Vocabulary{causes_, options_.terms, effort, screened}, options, workers_);
+    search->calibrate(nominal_, coefficients_);
+    return search->find(stop) ? std::move(search) : nullptr;
+  };
+  auto best = searched({}, options_);
+  if (!best) return std::nullopt;
+  // A law that follows what two causes do together is accepted before either of them. Names that
+  // are no more than the terms found are looked for by themselves.
+  if (best->has_laws()) {
+    TermSearchOptions no_more = options_;
+    no_more.most_causes = best->terms();
+    auto names = searched({.laws = 0}, no_more);
+    if (!names) return std::nullopt;
+    if (names->evidence() > best->evidence()) best = std::move(names);
+  }
+  level_ = best->level();
+  Explanation found = best->take_with_alternatives();
   model_ = found.model;
   accepted_ = found.accepted;
   return found;
