@@ -348,6 +348,8 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
                    "Also blocks tied tail to tail, such as Y1-Y2+1x-Y1-2x+M-Y2-3x");
   command.add_flag("--series", series,
                    "Also blocks in series on one tendon, such as M-Y1-Y2-M+Y1-1x+Y2-2x");
+  command.add_flag("--bars", bars,
+                   "Also rigid bars in place of blocks, such as M-W1+1x-W1/1:2-Y1+2x-Y1-3x");
   command
       .add_option("--motors", motors,
                   "Number of motors, each of which pulls a tendon, such as 2 in M-1-M2")
@@ -370,6 +372,7 @@ GeneratorOptions GeneratorFlags::read_parts() const {
   if (anchored) options.parts.anchored = true;
   options.parts.linked = linked;
   options.parts.series = series;
+  options.parts.bars = bars;
   if (blocks_->count() > 0) options.parts.blocks = blocks;
   for_name("--", [&] {
     if (tips_->count() > 0) options.parts.tips = parse_tips(tips);

@@ -184,6 +184,7 @@ struct GeneratorFlags {
   std::string beside;
   bool linked = false;
   bool series = false;
+  bool bars = false;
   std::string tendons = "any";
   bool distinct = false;
 

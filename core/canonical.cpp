@@ -156,20 +156,6 @@ bool is_on(const Tendon& tendon, std::size_t key) {
   });
 }
 
-void number_blocks_in_order(std::vector<Tendon>& tendons) {
-  std::array<std::uint8_t, block_keys> number{};
-  std::uint8_t blocks = 0;
-  std::uint8_t bars = 0;
-  for (Tendon& tendon : tendons) {
-    for (Token& token : tendon.walk) {
-      if (!is_of_block(token.kind)) continue;
-      std::uint8_t& named = number[block_key(token)];
-      if (named == 0) named = is_of_bar(token.kind) ? ++bars : ++blocks;
-      token.block = named;
-    }
-  }
-}
-
 // All tendons of one tree.
 std::vector<Tendon> canonical_tree(const std::vector<Tendon>& tendons, FingerIdentity identity) {
   const Refinement refinement(tendons, identity);
@@ -296,8 +282,7 @@ void append(Tree tree, Routing& routing) {
   for (Tendon& tendon : tree) {
     for (Token& token : tendon.walk) {
       if (!is_of_block(token.kind)) continue;
-      const int offset = is_of_bar(token.kind) ? before.bars : before.blocks;
-      token.block = static_cast<std::uint8_t>(token.block + offset);
+      token.block = static_cast<std::uint8_t>(token.block + before.of(token));
     }
     routing.tendons.push_back(std::move(tendon));
   }
@@ -324,6 +309,20 @@ int symmetries(const Tendon& tendon) {
     return true;
   });
   return same / still;
+}
+
+void number_blocks_in_order(std::span<Tendon> tendons) {
+  std::array<std::uint8_t, block_keys> number{};
+  std::uint8_t blocks = 0;
+  std::uint8_t bars = 0;
+  for (Tendon& tendon : tendons) {
+    for (Token& token : tendon.walk) {
+      if (!is_of_block(token.kind)) continue;
+      std::uint8_t& named = number[block_key(token)];
+      if (named == 0) named = is_of_bar(token.kind) ? ++bars : ++blocks;
+      token.block = named;
+    }
+  }
 }
 
 bool same_shape(const Tendon& a, const Tendon& b) { return compare_shapes(a, b) == 0; }

@@ -11,6 +11,8 @@
 // that blocks tie together are one tree and stay side by side, in the order of canonical_tree.hpp.
 #pragma once
 
+#include <span>
+
 #include "core/routing.hpp"
 
 namespace reeve::core {
@@ -27,6 +29,9 @@ bool is_canonical(const Tendon& tendon);
 // Size of the group of finger permutations that leave this tendon's shape as it is: 1, or 2 for a
 // palindrome, on a loop up to twice its number of fingers.
 int symmetries(const Tendon& tendon);
+
+// Numbers the blocks, and the bars likewise, as they appear.
+void number_blocks_in_order(std::span<Tendon> tendons);
 
 bool same_shape(const Tendon& a, const Tendon& b);
 

@@ -158,6 +158,10 @@ int finger_count(const Tendon& tendon);
 struct BlockCount {
   int blocks = 0;
   int bars = 0;
+
+  // The number of the token's kind.
+  int& of(const Token& token) { return is_of_bar(token.kind) ? bars : blocks; }
+  int of(const Token& token) const { return is_of_bar(token.kind) ? bars : blocks; }
 };
 BlockCount block_count(const Routing& routing);
 

@@ -52,6 +52,7 @@ std::string tied_text(const PartSet& parts) {
   if (!parts.beside.empty()) text += "; beside ends: " + spaced(beside_text(parts));
   if (parts.linked) text += "; linked blocks";
   if (parts.series) text += "; blocks in series";
+  if (parts.bars) text += "; bars";
   return text;
 }
 

@@ -37,6 +37,7 @@ std::string parts_text(const PartSet& parts) {
   if (!parts.beside.empty()) text += "; beside ends " + spaced_list(beside_text(parts));
   if (parts.linked) text += "; linked blocks";
   if (parts.series) text += "; blocks in series";
+  if (parts.bars) text += "; bars";
   return text;
 }
 
@@ -68,6 +69,7 @@ Json parts_json(const PartSet& parts) {
   if (!parts.beside.empty()) json["beside_ends"] = beside_text(parts);
   if (parts.linked) json["linked"] = true;
   if (parts.series) json["series"] = true;
+  if (parts.bars) json["bars"] = true;
   return json;
 }
 

@@ -14,11 +14,12 @@ struct PartSet {
   std::vector<TokenKind> joins;
   std::vector<TokenKind> ends;
   bool anchored = false;            // true if a tendon may be tied at a fingertip: 1x
-  int blocks = 0;                   // greatest number of floating blocks in a routing
+  int blocks = 0;                   // greatest number of floating blocks and bars in a routing
   int motors = 1;                   // every routing of several motors uses all of them
   std::vector<TokenKind> beside{};  // joins that may stand beside an end or a tail: F-P-1x, Y1-P-Y2
   bool linked = false;              // true if two tails may be tied to each other: Y1-Y2
   bool series = false;              // true if a root may pass several blocks: F-Y1-Y2-M
+  bool bars = false;  // true if rigid bars may stand in place of blocks: M-W1+1x-W1-2x
 };
 
 // Greatest number of floating blocks in generated routings.

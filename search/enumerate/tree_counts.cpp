@@ -92,7 +92,8 @@ class Counter {
   std::uint64_t branches(std::size_t p, TreeSize size) const {
     const std::uint64_t sum = all_pairs({counts_[p].halves}, {counts_[twice(p)].halves},
                                         size - TreeSize{0, 1}, identity_);
-    return size.blocks == 1 ? plus(sum, loops(p, size.fingers)) : sum;
+    return times(block_kinds(powers_[p]),
+                 size.blocks == 1 ? plus(sum, loops(p, size.fingers)) : sum);
   }
 
   // Through a pass.

@@ -8,7 +8,8 @@
 //                    or a tail. H(n,0) = (tJ)^(n-1) (x + te), H(0,0) = e;
 //                    for k > 0: v C(n,k) + v Σ_m t^m J^(m-1) C(n-m,k)
 //   branch   C(n,k)  a block with all that is below it: the unordered pairs of halves with n
-//                    fingers and k-1 blocks, and for k = 1 the loops of n fingers and the pass
+//                    fingers and k-1 blocks, and for k = 1 the loops of n fingers and the pass;
+//                    twice where the block may be a bar, whose arms follow from what is below
 //   tree     R(n,k)  k > 0: M-Y1, or an end, a join and a tail of which not both are fixed to the
 //                    hand, C(n,k) each; one tail and an end or an anchored tip,
 //                    v Σ_m (e t^m + x t^(m-1)) J^(m-1) C(n-m,k); between two tails nothing, where
@@ -103,6 +104,9 @@ MirroredString between_tails(const PartSet& parts, int m, FingerIdentity identit
 
 // Loops of m fingers and a pass.
 std::uint64_t loops_through_pass(const PartSet& parts, int m, FingerIdentity identity);
+
+// Kinds of blocks that a branch may have: a pulley, or a rigid bar.
+inline std::uint64_t block_kinds(const PartSet& parts) { return parts.bars ? 2 : 1; }
 
 // The parts that the powers of a renaming of the motors leave as they are, each as often as there
 // are such carriages: at [0] all of them, and behind the last again the first.

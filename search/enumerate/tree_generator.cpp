@@ -9,22 +9,9 @@
 namespace reeve::search {
 namespace {
 
-// Puts tails in place of the branches. They get their numbers when the walking direction is
-// settled.
-void join_halves(const SplitTendon& split, Tendon& tendon) {
-  tendon.closed = split.closed;
-  tendon.walk.clear();
-  const Token tail = block(TokenKind::block_tail, 0);
-  if (split.left.tail) tendon.walk.push_back(tail);
-  tendon.walk.insert(tendon.walk.end(), split.left.tokens.rbegin(), split.left.tokens.rend());
-  tendon.walk.insert(tendon.walk.end(), split.middle.begin(), split.middle.end());
-  tendon.walk.insert(tendon.walk.end(), split.right.tokens.begin(), split.right.tokens.end());
-  if (split.right.tail) tendon.walk.push_back(tail);
-}
-
 std::strong_ordering compare_with_reversal(const Walk& walk) {
   for (std::size_t i = 0, j = walk.size(); j-- > 0; ++i) {
-    if (const auto order = compare_shapes(walk[i], walk[j]); order != 0) return order;
+    if (const auto order = compare_shapes(walk[i], reversed(walk[j])); order != 0) return order;
   }
   return std::strong_ordering::equal;
 }
@@ -70,7 +57,10 @@ void TreeWriter::write(const TreeIndex& tree, TendonList& list) {
   write_tendon(tendon_, 0, branches_, list);
   write_risers(list);
   write_below(branches_, list, in_series);
-  if (in_series == 0) return;
+  if (in_series == 0) {
+    if (decoder_.has_bars()) number_blocks_in_order({&list.tendons[begin], list.used - begin});
+    return;
+  }
   const auto first = list.tendons.begin() + static_cast<std::ptrdiff_t>(begin);
   const auto end = list.tendons.begin() + static_cast<std::ptrdiff_t>(list.used);
   // Fingers keep the numbers that they have.
@@ -95,6 +85,18 @@ void TreeWriter::write_below(std::vector<TreeIndex>& branches, TendonList& list,
   }
 }
 
+// Puts tails in place of the branches. They get their numbers when the walking direction is
+// settled.
+void TreeWriter::join_halves(const SplitTendon& split, Tendon& tendon) const {
+  tendon.closed = split.closed;
+  tendon.walk.clear();
+  if (split.left.tail) tendon.walk.push_back(decoder_.tail_of(*split.left.tail));
+  tendon.walk.insert(tendon.walk.end(), split.left.tokens.rbegin(), split.left.tokens.rend());
+  tendon.walk.insert(tendon.walk.end(), split.middle.begin(), split.middle.end());
+  tendon.walk.insert(tendon.walk.end(), split.right.tokens.begin(), split.right.tokens.end());
+  if (split.right.tail) tendon.walk.push_back(decoder_.tail_of(*split.right.tail));
+}
+
 void TreeWriter::write_tendon(SplitTendon& split, int own_block, std::vector<TreeIndex>& branches,
                               TendonList& list) {
   Tendon& tendon = list.add();
@@ -102,7 +104,7 @@ void TreeWriter::write_tendon(SplitTendon& split, int own_block, std::vector<Tre
   if (tendon.closed) {
     walk_loop_from_least(tendon);
   } else if (stands_backwards(split, tendon.walk)) {
-    std::reverse(tendon.walk.begin(), tendon.walk.end());
+    tendon = walked(tendon, {tendon.walk.size() - 1, true});
     std::swap(split.left.tail, split.right.tail);
   }
   for (const auto* half : {&split.left, &split.right}) {
@@ -112,7 +114,7 @@ void TreeWriter::write_tendon(SplitTendon& split, int own_block, std::vector<Tre
     tail.block = static_cast<std::uint8_t>(branches.size());
   }
   for (Token& token : tendon.walk) {
-    if (token.kind != TokenKind::block_pass || token.block > 0) continue;
+    if (is_end(token.kind) || !is_of_block(token.kind) || token.block > 0) continue;
     token.block = static_cast<std::uint8_t>(own_block);
   }
 }
@@ -266,16 +268,16 @@ bool TreeGenerator::precedes(const Span& a, const Span& b) const {
   return shapes != 0 ? shapes < 0 : order(compare_blocks) < 0;
 }
 
-void TreeGenerator::append_tree(const Span& span, std::size_t& tendon, int& blocks,
+void TreeGenerator::append_tree(const Span& span, std::size_t& tendon, BlockCount& blocks,
                                 Routing& routing) const {
-  const int before = blocks;
+  const BlockCount before = blocks;
   for (std::size_t i = span.begin; i < span.end; ++i) {
     Tendon& written = routing.tendons[tendon++];
     written = list_.tendons[i];
     for (Token& token : written.walk) {
       if (!is_of_block(token.kind)) continue;
-      token.block = static_cast<std::uint8_t>(token.block + before);
-      blocks = std::max<int>(blocks, token.block);
+      token.block = static_cast<std::uint8_t>(token.block + before.of(token));
+      blocks.of(token) = std::max<int>(blocks.of(token), token.block);
     }
   }
 }
@@ -285,7 +287,7 @@ void TreeGenerator::write(Routing& routing) {
   routing.tendons.resize(list_.used + beside_.tendons.size());
   if (options_.identity == FingerIdentity::distinct) number_others();
   std::size_t tendon = 0;
-  int blocks = 0;
+  BlockCount blocks;
   auto span = spans_.begin();
   for (const Tendon& other : beside_.tendons) {
     for (; span != spans_.end() && span->fingers > finger_count(other); ++span) {

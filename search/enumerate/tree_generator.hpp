@@ -39,8 +39,8 @@ class TreeWriter {
     branches_.reserve(max_generated_blocks);
   }
 
-  // Appends the tree's tendons. Blocks are numbered from 1, fingers not at all (identical) or as
-  // the index says.
+  // Appends the tree's tendons. Blocks, and bars likewise, are numbered from 1, fingers not at all
+  // (identical) or as the index says.
   void write(const TreeIndex& tree, TendonList& list);
 
  private:
@@ -48,6 +48,7 @@ class TreeWriter {
   void write_risers(TendonList& list);
   void write_tendon(SplitTendon& tendon, int own_block, std::vector<TreeIndex>& branches,
                     TendonList& list);
+  void join_halves(const SplitTendon& split, Tendon& tendon) const;
   bool stands_backwards(const SplitTendon& tendon, const Walk& walk) const;
   bool precedes(const TreeIndex& a, const TreeIndex& b) const;
 
@@ -103,7 +104,8 @@ class TreeGenerator {
   bool precedes(const Span& a, const Span& b) const;
   void advance();
   void write(Routing& routing);
-  void append_tree(const Span& span, std::size_t& tendon, int& blocks, Routing& routing) const;
+  void append_tree(const Span& span, std::size_t& tendon, BlockCount& blocks,
+                   Routing& routing) const;
   void number_others();
 
   GeneratorOptions options_;

@@ -1,6 +1,7 @@
 #include "search/enumerate/tree_index.hpp"
 
 #include <bit>
+#include <numeric>
 
 namespace reeve::search {
 namespace {
@@ -195,10 +196,40 @@ void TreeDecoder::append_loop(int m, FingerSet fingers, Digits& digits, Walk& wa
   walk[begin].finger = static_cast<std::uint8_t>(std::countr_zero(fingers) + 1);
 }
 
+bool TreeDecoder::is_bar(const TreeIndex& branch) const {
+  return branch.index % block_kinds(parts_) > 0;
+}
+
+Token TreeDecoder::tail_of(const TreeIndex& branch) const {
+  return block(is_bar(branch) ? TokenKind::bar_pivot : TokenKind::block_tail, 0);
+}
+
+int TreeDecoder::sides_below(const HalfTendon& half) const {
+  return half.tail ? sides_below(*half.tail) : 1;
+}
+
+int TreeDecoder::sides_below(const TreeIndex& branch) const {
+  SplitTendon sides;
+  decode_passing(branch, sides);
+  return sides_below(sides.left) + sides_below(sides.right);
+}
+
+ArmRatio TreeDecoder::arms_between(const SplitTendon& sides) const {
+  const int left = sides_below(sides.left);
+  const int right = sides_below(sides.right);
+  const int common = std::gcd(left, right);
+  return {static_cast<std::uint16_t>(left / common), static_cast<std::uint16_t>(right / common)};
+}
+
 void TreeDecoder::decode_branch(const TreeIndex& branch, SplitTendon& tendon) const {
+  decode_passing(branch, tendon);
+  if (is_bar(branch)) tendon.middle.front() = bar(0, arms_between(tendon));
+}
+
+void TreeDecoder::decode_passing(const TreeIndex& branch, SplitTendon& tendon) const {
   clear(tendon);
   tendon.middle.push_back(block(TokenKind::block_pass, 0));
-  Digits digits(branch.index);
+  Digits digits(branch.index / block_kinds(parts_));
   const int n = branch.size.fingers;
   if (branch.size.blocks == 1 && digits.is_among(loops_through_pass(parts_, n, identity_))) {
     tendon.closed = true;

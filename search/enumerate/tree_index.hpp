@@ -45,9 +45,9 @@ struct HalfTendon {
   std::optional<TreeIndex> tail;
 };
 
-// The middle is the pass of a branch, as a block without number, or what a root has between its
-// halves. A loop is all middle, from its pass on. A root that passes blocks in series numbers them
-// from 1, and on their tails are the risers, [block - 1].
+// The middle is the pass of a branch, as a block or bar without number, or what a root has between
+// its halves. A loop is all middle, from its pass on. A root that passes blocks in series numbers
+// them from 1, and on their tails are the risers, [block - 1].
 struct SplitTendon {
   HalfTendon left;
   Walk middle;
@@ -61,7 +61,11 @@ class TreeDecoder {
   TreeDecoder(const PartSet& parts, const TreeCounts& counts, FingerIdentity identity)
       : parts_(parts), counts_(counts), identity_(identity) {}
 
-  // The tendon that passes the branch's block.
+  bool has_bars() const { return parts_.bars; }
+
+  // The end without number that is tied to the tail of the branch's block, or to its bar's pivot.
+  Token tail_of(const TreeIndex& branch) const;
+  // The tendon that passes the branch's block, or is tied to its bar's arms.
   void decode_branch(const TreeIndex& branch, SplitTendon& tendon) const;
   // The root of a tree with a block at least.
   void decode_root(const TreeIndex& tree, SplitTendon& tendon) const;
@@ -84,6 +88,13 @@ class TreeDecoder {
   // Halves of this size with m fingers above a tail.
   std::uint64_t tailed_halves(int m, TreeSize size) const;
   void decode_half(const TreeIndex& half, HalfTendon& tendon) const;
+  bool is_bar(const TreeIndex& branch) const;
+  // … with a pass also where the branch is a bar.
+  void decode_passing(const TreeIndex& branch, SplitTendon& tendon) const;
+  // Sides of tendons that hang on no further block.
+  int sides_below(const TreeIndex& branch) const;
+  int sides_below(const HalfTendon& half) const;
+  ArmRatio arms_between(const SplitTendon& sides) const;
   bool decode_hanging(const TreeIndex& tree, Digits& digits, SplitTendon& tendon) const;
   void decode_two_tailed(int m, TreeSize below, FingerSet fingers, Digits& digits,
                          SplitTendon& tendon) const;

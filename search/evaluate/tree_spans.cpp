@@ -1,11 +1,13 @@
 #include "search/evaluate/tree_spans.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace reeve::search {
 namespace {
 
-using BlockSet = std::uint64_t;  // bit b: block b; there are no more than max_blocks
+using BlockSet = std::uint64_t;  // a bit for each block_key
+static_assert(block_keys <= 64);
 
 class KeyWriter {
  public:
@@ -40,16 +42,16 @@ unsigned digit(const Token& token) {
 BlockSet blocks_of(const Tendon& tendon) {
   BlockSet blocks = 0;
   for (const Token& token : tendon.walk) {
-    if (is_of_block(token.kind)) blocks |= BlockSet{1} << token.block;
+    if (is_of_block(token.kind)) blocks |= BlockSet{1} << block_key(token);
   }
   return blocks;
 }
 
-int least_block(const Routing& routing, const TreeSpan& span) {
-  int least = max_blocks;
+BlockCount least_numbers(const Routing& routing, const TreeSpan& span) {
+  BlockCount least{max_blocks, max_blocks};
   for (std::size_t t = span.begin; t < span.end; ++t) {
     for (const Token& token : routing.tendons[t].walk) {
-      if (is_of_block(token.kind)) least = std::min<int>(least, token.block);
+      if (is_of_block(token.kind)) least.of(token) = std::min<int>(least.of(token), token.block);
     }
   }
   return least;
@@ -68,10 +70,17 @@ std::size_t end_of_tree(const Routing& routing, std::size_t begin) {
   return end;
 }
 
+// Puts a number from 1 on; false if it has no digit.
+bool put_number(int number, KeyWriter& key) {
+  if (number > 15) return false;
+  key.put(static_cast<unsigned>(number));
+  return true;
+}
+
 // Fills in fingers and key.
 bool read_tree(const Routing& routing, TreeSpan& span) {
   KeyWriter key;
-  int first_block = 0;
+  std::optional<BlockCount> first;
   for (std::size_t t = span.begin; t < span.end; ++t) {
     for (const Token& token : routing.tendons[t].walk) {
       if (token.angle.is_given()) return false;
@@ -79,11 +88,12 @@ bool read_tree(const Routing& routing, TreeSpan& span) {
       if (is_of_finger(token.kind)) {
         if (token.finger != span.fingers_before + ++span.fingers) return false;
       } else if (is_of_block(token.kind)) {
-        if (is_of_bar(token.kind)) return false;
-        if (first_block == 0) first_block = least_block(routing, span);
-        const int number = token.block - first_block + 1;
-        if (number > 15) return false;
-        key.put(static_cast<unsigned>(number));
+        if (!first) first = least_numbers(routing, span);
+        if (!put_number(token.block - first->of(token) + 1, key)) return false;
+        if (token.kind == TokenKind::bar_arms &&
+            !(put_number(token.arms.left, key) && put_number(token.arms.right, key))) {
+          return false;
+        }
       }
     }
     key.put(routing.tendons[t].closed ? closed_end : open_end);
@@ -135,13 +145,13 @@ void copy_tree(const Routing& routing, const TreeSpan& span, Routing& tree) {
     return routing.tendons.begin() + static_cast<std::ptrdiff_t>(t);
   };
   tree.tendons.assign(at(span.begin), at(span.end));
-  const int blocks_before = least_block(routing, span) - 1;
+  const BlockCount first = least_numbers(routing, span);
   for (Tendon& tendon : tree.tendons) {
     for (Token& token : tendon.walk) {
       if (is_of_finger(token.kind)) {
         token.finger = static_cast<std::uint8_t>(token.finger - span.fingers_before);
       } else if (is_of_block(token.kind)) {
-        token.block = static_cast<std::uint8_t>(token.block - blocks_before);
+        token.block = static_cast<std::uint8_t>(token.block - first.of(token) + 1);
       }
     }
   }

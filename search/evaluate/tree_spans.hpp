@@ -2,7 +2,8 @@
 //
 // Tendons that floating blocks tie together are a tree, and so is a tendon alone. Where no finger
 // differs from another, what a tree does follows from its tokens: its key holds kind and tip of
-// each, the numbers of blocks counted from the least, and nothing of its fingers' numbers.
+// each, the numbers of blocks and bars counted from the least, arms of bars, and nothing of its
+// fingers' numbers.
 #pragma once
 
 #include <array>
@@ -32,7 +33,7 @@ struct TreeOutline {
   std::vector<TreeSums> sums;  // [0]: no finger held; [f]: finger f held
 };
 
-// Four bits a token and four more for a block's number.
+// Four bits a token, four more for a block's number, and eight for a bar's arms.
 struct TreeKey {
   static constexpr std::size_t words = 4;
   static constexpr std::size_t capacity = 16 * words;
@@ -52,7 +53,7 @@ struct TreeSpan {
   TreeKey key;
 };
 
-// False where it has a bar or gives a wrap angle, where the fingers are not numbered in the order
+// False where it gives a wrap angle, where the fingers are not numbered in the order
 // of the word, or where a tree is too large for its key. Keeps the memory of `spans`.
 bool split_into_trees(const Routing& routing, std::vector<TreeSpan>& spans);
 

@@ -42,12 +42,14 @@ PartCount parts_of_token(const Token& token) {
     case TokenKind::block_pass:
       parts.blocks = 1;
       break;
+    case TokenKind::bar_arms:
+      parts.bars = 1;
+      break;
     case TokenKind::fixed_end:
     case TokenKind::tube_join:
     case TokenKind::block_tail:
     case TokenKind::becket:
     case TokenKind::bar_pivot:
-    case TokenKind::bar_arms:
       break;
   }
   return parts;

@@ -131,8 +131,9 @@ TreeParts::Sort TreeParts::branch(TreeSize size) {
     if (size.blocks == 1) sorts.push_back(loop_through_pass(size.fingers));
     append_pairs(
         size - TreeSize{0, 1}, [&](TreeSize member) { return half(member); }, sorts);
-    return numbered_.with(numbered_.one_after_the_other(sorts),
-                          classes_.of(block(TokenKind::block_pass, 0)));
+    std::vector<PartClass> kinds{classes_.of(block(TokenKind::block_pass, 0))};
+    if (parts_.bars) kinds.push_back(classes_.of(bar(0)));
+    return numbered_.both(numbered_.kinds(std::move(kinds)), numbered_.one_after_the_other(sorts));
   });
 }
 
