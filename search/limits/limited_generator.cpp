@@ -170,7 +170,8 @@ bool LimitedTrees::next(Routing& routing, std::uint64_t& place) {
 
 std::optional<std::uint64_t> LimitedTrees::place_of(const Routing& routing) {
   const auto [tied, others] = tied_tendons(routing);
-  const TreeSize size{finger_count(tied), block_count(routing).blocks};
+  const BlockCount count = block_count(routing);
+  const TreeSize size{finger_count(tied), count.blocks + count.bars};
   const std::vector<TreeGenerator::Cell>& cells = trees_.cells();
   const auto found =
       std::find_if(cells.begin(), cells.end(), [&](const auto& cell) { return cell.size == size; });
@@ -193,6 +194,7 @@ std::optional<std::uint64_t> LimitedTrees::place_of(const Routing& routing) {
 LimitedGenerator::LimitedGenerator(const GeneratorOptions& options,
                                    const std::vector<Constraint>& constraints)
     : fingers_(options.fingers),
+      bars_(options.parts.bars),
       classes_(constraints, options),
       tendons_(classes_, options.parts, options.fingers, options.one_tendon),
       total_(RoutingGenerator(options).total()) {
@@ -226,7 +228,7 @@ std::vector<std::uint64_t> LimitedGenerator::verdicts_before(std::uint64_t place
 std::optional<std::uint64_t> LimitedGenerator::place_of(const Routing& routing) {
   if (finger_count(routing) != fingers_) return std::nullopt;
   if (!has_blocks(routing)) return tendons_.place_of(routing);
-  if (!trees_) return std::nullopt;
+  if (!trees_ || (block_count(routing).bars > 0 && !bars_)) return std::nullopt;
   const auto place = trees_->place_of(routing);
   return place ? std::optional(tendons_.total(fingers_) + *place) : std::nullopt;
 }

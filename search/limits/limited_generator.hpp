@@ -109,6 +109,7 @@ class LimitedGenerator {
 
  private:
   int fingers_;
+  bool bars_;
   PartClasses classes_;
   LimitedTendons tendons_;
   std::unique_ptr<LimitedTrees> trees_;

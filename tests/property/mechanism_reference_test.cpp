@@ -129,7 +129,8 @@ TEST(ReferenceProperty, TreesAndTacklesAreThoseOfAnIndependentSolver) {
   }
 }
 
-bool has_linked_blocks_or_a_series(const Routing& routing) {
+bool has_linked_blocks_a_series_or_bars(const Routing& routing) {
+  if (block_count(routing).bars > 0) return true;
   return std::any_of(routing.tendons.begin(), routing.tendons.end(), [](const Tendon& tendon) {
     const auto many = [&](TokenKind kind) {
       return std::count_if(tendon.walk.begin(), tendon.walk.end(),
@@ -140,11 +141,12 @@ bool has_linked_blocks_or_a_series(const Routing& routing) {
   });
 }
 
-TEST(ReferenceProperty, LinkedBlocksAndSeriesAreThoseOfAnIndependentSolver) {
+TEST(ReferenceProperty, LinkedBlocksSeriesAndBarsAreThoseOfAnIndependentSolver) {
   const search::PartSet few = testing::with_blocks(testing::anchored(search::full_parts()), 4);
   int solved = 0;
   for (const search::PartSet& parts :
-       {testing::linked(few), testing::in_series(few), testing::linked(testing::in_series(few))}) {
+       {testing::linked(few), testing::in_series(few), testing::linked(testing::in_series(few)),
+        testing::barred(few), testing::barred(testing::linked(testing::in_series(few)))}) {
     for (int fingers = 2; fingers <= 5; ++fingers) {
       search::RoutingGenerator generator(
           testing::generating(parts, fingers, testing::identical, true));
@@ -154,7 +156,7 @@ TEST(ReferenceProperty, LinkedBlocksAndSeriesAreThoseOfAnIndependentSolver) {
         Routing routing;
         generator.seek(engine() % generator.total());
         generator.next(routing);
-        if (!is_actuated(routing) || !has_linked_blocks_or_a_series(routing)) continue;
+        if (!is_actuated(routing) || !has_linked_blocks_a_series_or_bars(routing)) continue;
         const std::string word = to_word(routing);
         const ReferenceHardware hardware = testing::random_reference_hardware(dice, word);
         const Network network = expand(routing);

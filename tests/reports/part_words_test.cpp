@@ -18,12 +18,13 @@ TEST(PartsText, CountsOneBlockAndMore) {
   EXPECT_FALSE(has(parts_text(search::paper_parts()), "block"));
 }
 
-TEST(PartsText, NamesSeveralMotorsJoinsBesideEndsLinkedBlocksAndSeries) {
+TEST(PartsText, NamesSeveralMotorsJoinsBesideEndsLinkedBlocksSeriesAndBars) {
   PartSet parts = search::paper_parts();
   EXPECT_FALSE(parts_json(parts).contains("motors"));
   EXPECT_FALSE(parts_json(parts).contains("beside_ends"));
   EXPECT_FALSE(parts_json(parts).contains("linked"));
   EXPECT_FALSE(parts_json(parts).contains("series"));
+  EXPECT_FALSE(parts_json(parts).contains("bars"));
   parts.motors = 2;
   parts.beside = search::parse_joins("B,P");
   EXPECT_EQ(parts_text(parts), "tips tube; joins T, P; ends M, F; 2 motors; beside ends B, P");
@@ -35,6 +36,9 @@ TEST(PartsText, NamesSeveralMotorsJoinsBesideEndsLinkedBlocksAndSeries) {
   parts.series = true;
   EXPECT_TRUE(has(parts_text(parts), "; linked blocks; blocks in series"));
   EXPECT_EQ(parts_json(parts)["series"], true);
+  parts.bars = true;
+  EXPECT_TRUE(has(parts_text(parts), "; blocks in series; bars"));
+  EXPECT_EQ(parts_json(parts)["bars"], true);
 }
 
 TEST(LeftOutText, NamesThePartsAndTheOptionThatAsksForThem) {

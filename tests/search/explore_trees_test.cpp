@@ -59,6 +59,44 @@ TEST(ExploreTrees, BlocksInSeriesPullTwoFingersAlike) {
   EXPECT_NEAR(value(result.top.front().design.values, Objective::uniformity_mean), 1, 1e-9);
 }
 
+// Two bars that share the pull 1 : 2 and 1 : 1 leave nothing to friction at the hand.
+TEST(ExploreTrees, BarsPullThreeFingersAlikeWithOneSheath) {
+  PartSet parts = with_blocks(all_parts(), 2);
+  parts.bars = true;
+  const ExploreResult result = explore(options_for(parts, 3));
+  const Design& best = result.top.front().design;
+  EXPECT_EQ(best.word, "M-W1+1x-W1/1:2-W2+2x-W2-3x");
+  EXPECT_NEAR(value(best.values, Objective::uniformity_mean), 1, 1e-12);
+  EXPECT_NEAR(value(best.values, Objective::efficiency_mean),
+              std::exp(-0.18 * 2 * std::numbers::pi), 1e-9);
+}
+
+// Bars only, on a motor's end, and no finger on a tendon that pulls a bar: its strands would have
+// the pull of all below.
+bool is_plain_whiffletree(const Routing& routing) {
+  if (block_count(routing).blocks > 0 || to_word(routing).rfind("M-W1+", 0) != 0) return false;
+  return std::none_of(routing.tendons.begin(), routing.tendons.end(), [](const Tendon& tendon) {
+    const Walk& walk = tendon.walk;
+    return (is_tail(walk.front().kind) && is_of_finger(walk[1].kind)) ||
+           (is_tail(walk.back().kind) && is_of_finger(walk[walk.size() - 2].kind));
+  });
+}
+
+TEST(ExploreTrees, WithoutFrictionBarsPullAllStrandsBelowAlike) {
+  Model smooth;
+  for (ContactLaw* law : {&smooth.hardware.tube, &smooth.hardware.bearing}) law->mu = 0;
+  DesignEvaluator evaluator(smooth, single_grasps(4));
+  int trees = 0;
+  const PartSet parts = barred(with_blocks(anchored(parts_of("tube", "T", "M,F")), 3));
+  for_each_generated(generating(parts, 4, identical, true), [&](const Routing& routing) {
+    if (!is_plain_whiffletree(routing)) return;
+    ++trees;
+    EXPECT_NEAR(value(evaluator.evaluate(routing), Objective::uniformity_worst), 1, 1e-9)
+        << to_word(routing);
+  });
+  EXPECT_GT(trees, 100);
+}
+
 // Of the options' references, too: a tree that was generated is found by its word.
 TEST(ExploreTrees, AReferenceWithABlockIsFoundAmongTheRoutings) {
   ExploreOptions options = options_for(all_parts(), 2);

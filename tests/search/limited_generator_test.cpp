@@ -127,11 +127,13 @@ TEST(LimitedGenerator, GivesOfFloatingBlocksThoseWithinTheLimits) {
       }
     }
   }
-  for (const PartSet& parts : {all_parts(), linked(all_parts()), in_series(all_parts())}) {
+  for (const PartSet& parts :
+       {all_parts(), linked(all_parts()), in_series(all_parts()), barred(all_parts())}) {
     expect_all(generating(with_blocks(parts, 2), 3, identical), {"sheaths<=1", "pulleys<=2"});
   }
   for (const PartSet& parts : {anchored(paper_parts()), linked(anchored(paper_parts())),
-                               in_series(anchored(parts_of("tube", "P", "M")))}) {
+                               in_series(anchored(parts_of("tube", "P", "M"))),
+                               barred(linked(anchored(parts_of("tube", "P", "M"))))}) {
     expect_all(generating(with_blocks(parts, 4), 4, identical), {"sheaths<=1"}, 3);
   }
 }

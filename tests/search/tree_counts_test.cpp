@@ -72,6 +72,8 @@ std::vector<PartSet> various_parts() {
   for (std::size_t i = 0; i < many; ++i) sets.push_back(anchored(sets[i]));
   for (std::size_t i = 0; i < 2 * many; ++i) sets.push_back(linked(sets[i]));
   for (std::size_t i = 0; i < 4 * many; ++i) sets.push_back(in_series(sets[i]));
+  for (std::size_t i = 0; i < many; ++i) sets.push_back(barred(sets[i]));
+  for (std::size_t i = 7 * many; i < 8 * many; ++i) sets.push_back(barred(sets[i]));
   return sets;
 }
 
@@ -134,13 +136,16 @@ TEST(TreeCounts, OfJoinsBesideEndsAreThoseOfBruteForce) {
   }
 }
 
-TEST(TreeCounts, OfThreeBlocksInSeriesAreThoseOfBruteForce) {
+TEST(TreeCounts, OfThreeBlocksInSeriesAndBarsAreThoseOfBruteForce) {
   for (const FingerIdentity identity : {identical, distinct}) {
     for (const PartSet& parts : {parts_of("tube", "", "M"), parts_of("tube", "", "F")}) {
       expect_brute_force(in_series(anchored(parts)), 3, 3, identity);
       expect_brute_force(linked(in_series(parts)), 3, 3, identity);
     }
     expect_brute_force(in_series(anchored(parts_of("tube", "P", ""))), 3, 3, identity);
+    expect_brute_force(barred(in_series(anchored(parts_of("tube", "", "M")))), 3, 3, identity);
+    expect_brute_force(with_motors(barred(anchored(parts_of("tube", "P", "M"))), 2), 2, 2,
+                       identity);
     expect_brute_force(with_motors(in_series(anchored(parts_of("tube", "P", "M"))), 2), 2, 2,
                        identity);
   }

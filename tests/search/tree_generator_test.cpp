@@ -3,6 +3,7 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <random>
@@ -48,6 +49,14 @@ std::vector<GeneratorOptions> small_searches() {
       searches.push_back(generating(linked(tied(parts, 2)), 3, distinct, one_tree));
     }
     searches.push_back(generating(linked(tied(paper_parts(), 4)), 2, identical, one_tree));
+    searches.push_back(generating(barred(tied(full_parts(), 2)), 2, identical, one_tree));
+    for (const char* joins : {"", "P"}) {
+      const PartSet few = barred(tied(parts_of("tube", joins, "M"), 3));
+      searches.push_back(generating(few, 3, identical, one_tree));
+      searches.push_back(generating(linked(in_series(few)), 3, identical, one_tree));
+      searches.push_back(generating(few, 3, distinct, one_tree));
+      searches.push_back(generating(with_beside(with_blocks(few, 2), "P"), 2, identical, one_tree));
+    }
     searches.push_back(generating(in_series(tied(full_parts(), 2)), 2, identical, one_tree));
     for (const char* joins : {"", "P"}) {
       const PartSet few = in_series(tied(parts_of("tube", joins, "M"), 3));
@@ -57,6 +66,7 @@ std::vector<GeneratorOptions> small_searches() {
     searches.push_back(
         generating(in_series(tied(parts_of("tube", "", "M"), 4)), 4, identical, one_tree));
   }
+  searches.push_back(generating(barred(linked(tied(parts_of("tube", "", "M"), 4))), 4, identical));
   // Has two trees of one shape, reached by different blocks of their roots.
   searches.push_back(generating(in_series(tied(parts_of("tube", "", "M,F"), 4)), 4, identical));
   return searches;
@@ -160,6 +170,26 @@ TEST(TreeGenerator, BlocksInSeries) {
   }
 }
 
+// Arms are in the ratio of the sides of tendons below that hang on no further block.
+TEST(TreeGenerator, Bars) {
+  const PartSet few = tied(parts_of("tube", "", "M"), 1);
+  std::vector<std::string> added = generated_words(generating(barred(few), 2, identical, true));
+  for (const std::string& word : generated_words(generating(few, 2, identical, true))) {
+    EXPECT_EQ(std::erase(added, word), 1U) << word;
+  }
+  EXPECT_EQ(added,
+            (std::vector<std::string>{"M-W1+1x-W1-2x", "M-W1+M-1-W1-2x", "M-W1+M-1-W1-2-M",
+                                      "1x-W1+2-W1-2", "M-1-W1+2-W1-2", "1x-W1+M-W1-2x",
+                                      "M-1-W1+M-W1-2x", "1x-W1+M-2-W1-M", "M-1-W1+M-2-W1-M"}));
+  const std::vector<std::string> three =
+      generated_words(generating(barred(tied(parts_of("tube", "", "M,F"), 4)), 3, identical));
+  for (const char* word : {"M-W1+1x-W1/1:2-Y1+2x-Y1-3x", "M-Y1+Y2-Y1-W1+1x-Y2-2x+M-W1-3x",
+                           "M-W1+W2-W1/2:3-W3+1x-W2-F+M-W3/1:2-Y1+2x-Y1-3x"}) {
+    const std::string known = to_word(canonical(parse_routing(word), identical));
+    EXPECT_EQ(std::count(three.begin(), three.end(), known), 1) << word;
+  }
+}
+
 TEST(TreeGenerator, MoreBlocksComeBehindFewer) {
   const auto fewer = generated_words(generating(tied(paper_parts(), 1), 3, identical));
   auto more = generated_words(generating(tied(paper_parts(), 2), 3, identical));
@@ -171,7 +201,7 @@ TEST(TreeGenerator, MoreBlocksComeBehindFewer) {
 // By the definition of a routing: tokens and blocks are vertices, what touches is joined.
 Graph graph_of(const Routing& routing) {
   Graph graph;
-  std::map<int, Vertex> blocks;
+  std::map<std::size_t, Vertex> blocks;
   for (const Tendon& tendon : routing.tendons) {
     Vertex first{};
     Vertex before{};
@@ -182,10 +212,10 @@ Graph graph_of(const Routing& routing) {
       if (i == 0) first = here;
       before = here;
       if (!is_of_block(token.kind)) continue;
-      if (!blocks.contains(token.block)) {
-        blocks[token.block] = add_part({static_cast<std::size_t>(2 * 12), false}, graph);
+      if (!blocks.contains(block_key(token))) {
+        blocks[block_key(token)] = add_part({static_cast<std::size_t>(2 * 12), false}, graph);
       }
-      boost::add_edge(here, blocks[token.block], graph);
+      boost::add_edge(here, blocks[block_key(token)], graph);
     }
     if (tendon.closed && first != before && !boost::edge(first, before, graph).second) {
       boost::add_edge(before, first, graph);
@@ -202,6 +232,7 @@ TEST(TreeGenerator, NoTwoRoutingsAreTheSame) {
         generating(tied(few, 2), 3, identical), generating(tied(few, 2), 4, identical),
         generating(linked(tied(few, 4)), 2, identical),
         generating(in_series(tied(few, 3)), 3, identical),
+        generating(barred(tied(few, 3)), 3, identical),
         generating(linked(in_series(tied(parts_of("tube", "", "M"), 4))), 4, identical)}) {
     GraphClasses classes(25);
     std::uint64_t given = 0;
@@ -235,6 +266,9 @@ TEST(TreeGenerator, StartsAnywhereInLargeSearches) {
   expect_good_places(generating(tied(paper_parts(), 3), 4, distinct), 500);
   expect_good_places(generating(in_series(tied(full_parts(), 8)), 6, identical, true), 500);
   expect_good_places(generating(in_series(tied(full_parts(), 5)), 5, distinct), 200);
+  const PartSet many = barred(linked(in_series(tied(full_parts(), 8))));
+  expect_good_places(generating(many, 6, identical, true), 2000);
+  expect_good_places(generating(barred(tied(paper_parts(), 4)), 4, distinct), 500);
 }
 
 TEST(TreeGenerator, AsManyBlocksAsCanBeAndNoMore) {

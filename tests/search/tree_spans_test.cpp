@@ -16,5 +16,29 @@ TEST(TreeSpans, AreNotThoseOfARoutingThatGivesAWrapAngle) {
   EXPECT_FALSE(split_into_trees(parse_routing("M-1-F+M-2/90-F"), spans));
 }
 
+// Y1 and W1 are two things, and the arms are part of what a tree does.
+TEST(TreeSpans, TellBarsFromBlocksAndByTheirArms) {
+  std::vector<TreeSpan> spans;
+  EXPECT_TRUE(split_into_trees(parse_routing("M-Y1+1x-Y1-2x+M-W1+3x-W1-4x"), spans));
+  ASSERT_EQ(spans.size(), 2U);
+  EXPECT_NE(spans[0].key, spans[1].key);
+  const TreeKey even = spans[1].key;
+  EXPECT_TRUE(split_into_trees(parse_routing("M-W1+1x-W1-2x+M-W2+3x-W2/1:2-4x"), spans));
+  ASSERT_EQ(spans.size(), 2U);
+  EXPECT_EQ(spans[0].key, even);
+  EXPECT_NE(spans[1].key, even);
+}
+
+TEST(TreeSpans, AreCopiedWithBlocksAndBarsFromOneOn) {
+  const Routing routing = parse_routing("M-Y1+1x-Y1-2x+M-W1+Y2-W1/2:1-5x+3x-Y2-4x");
+  std::vector<TreeSpan> spans;
+  ASSERT_TRUE(split_into_trees(routing, spans) || spans.size() == 2);
+  Routing tree;
+  copy_tree(routing, spans[1], tree);
+  EXPECT_EQ(block_count(tree).blocks, 1);
+  EXPECT_EQ(tree.tendons[1].walk.front().block, 1);
+  EXPECT_EQ(tree.tendons[1].walk[1].block, 1);
+}
+
 }  // namespace
 }  // namespace reeve

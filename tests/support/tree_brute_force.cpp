@@ -34,6 +34,7 @@ struct PortParts {
   bool anchored;
   bool linked;
   bool series;
+  bool barred;
   std::size_t joins;  // passive ones first
   std::size_t passive_joins;
   std::size_t ends;  // motor ones first
@@ -53,6 +54,7 @@ PortParts port_parts(const CountedTreeParts& counted) {
           counted.anchored,
           counted.linked,
           counted.series,
+          counted.barred,
           many(parts.passive_joins + parts.motor_joins * counted.motors),
           many(parts.passive_joins),
           many(parts.motor_ends * counted.motors + parts.fixed_ends),
@@ -72,7 +74,7 @@ class Search {
         classes_(first_tip() + kinds.fingers() * fingers) {}
 
   const BruteForceCounts& run() {
-    choose_tip(0);
+    for (bars_ = 0; bars_ <= (kinds_.barred ? blocks_ : 0); ++bars_) choose_tip(0);
     return classes_.counts();
   }
 
@@ -164,6 +166,7 @@ class Search {
       return true;
     }
     const bool is_finger = kind == PortKind::strand;
+    if (!is_finger && owner == bars_) return false;
     if (owner == 0 || (is_finger && (!identical_ || tip_[owner] != tip_[owner - 1]))) return false;
     return is_all_free(kind, owner, current) && is_all_free(kind, owner - 1, current);
   }
@@ -215,6 +218,9 @@ class Search {
       if (passes[t].size() == 1 && !carries_more_than_ends(t, tendon)) return false;
       if (passes[t].size() < 2) continue;
       if (!kinds_.series || !is_root_in_series(t, tendon, passes, above)) return false;
+      if (std::any_of(passes[t].begin(), passes[t].end(), [&](auto b) { return b < bars_; })) {
+        return false;
+      }
       roots_in_series.push_back(t);
     }
     std::vector<std::size_t> of_trees;
@@ -252,7 +258,8 @@ class Search {
                        [&](std::size_t block) { return passes[above[block]].empty(); });
   }
 
-  // Colours: strand, side, tail, block, ends, joins, joins beside ends, carriages, tips.
+  // Colours: strand, side, tail, block, ends, joins, joins beside ends, carriages, tips. A bar's
+  // tail has the block's colour.
   std::size_t first_join() const { return 4 + kinds_.ends; }
   std::size_t first_beside() const { return first_join() + kinds_.joins; }
   std::size_t first_carriage() const { return first_beside() + kinds_.beside; }
@@ -283,7 +290,10 @@ class Search {
   void add() {
     if (!is_generated()) return;
     Graph graph;
-    for (const Port& port : ports_) add_part({static_cast<std::size_t>(port.kind), false}, graph);
+    for (const Port& port : ports_) {
+      const bool is_pivot = port.kind == PortKind::tail && port.owner < bars_;
+      add_part({is_pivot ? 3 : static_cast<std::size_t>(port.kind), false}, graph);
+    }
     std::vector<Vertex> blocks;
     for (std::size_t b = 0; b < blocks_; ++b) blocks.push_back(add_part({3, false}, graph));
     std::vector<Vertex> tips;
@@ -333,6 +343,7 @@ class Search {
 
   PortParts kinds_;
   std::size_t blocks_;
+  std::size_t bars_ = 0;  // the first blocks
   bool identical_;
   std::vector<std::size_t> tip_;  // kinds, by finger
   std::vector<Port> ports_;

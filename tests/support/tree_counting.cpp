@@ -3,7 +3,8 @@
 // tip:
 //
 //   half-walk  H = (x z + t z E) / (1 − j t z) + E
-//   block      C = y [ (H² + swap(H)) / 2 − pairs of bare M, F + loops through the pass ]
+//   block      C = w y [ (H² + swap(H)) / 2 − pairs of bare M, F + loops through the pass ],
+//              w = 2 where it may be a bar
 //   root       M C + t z (E² + swap(E)) / 2 + x z E + linked (C² + swap(C)) / 2
 //                  + ( A² j / (1 − j t z) + swap(A) palindromes ) / 2 + loops,   A = x z + t z E
 //   series     Σ_{q>1} ( H² (y U)^q g^(q−1) + palindromes ) / 2,   g = 1 + j beads between passes,
@@ -129,6 +130,7 @@ struct Kinds {
   std::int64_t anchors;
   bool linked;
   bool series;
+  bool barred;
 };
 
 // 1 / (1 − j t z): fingers with a join behind each.
@@ -160,7 +162,7 @@ Series blocks(const Ring& ring, const Kinds& kinds) {
     const Series end = Series(ring, kinds.ends, 0, 0) + below;
     const Series walk = (kinds.anchors * z + kinds.tips * (z * end)) * chain + end;
     const Series bare(ring, -kinds.ends * (kinds.ends + 1) / 2, 0, 0);
-    below = Series(ring, 1, 0, 1) *
+    below = Series(ring, kinds.barred ? 2 : 1, 0, 1) *
             (half(walk * walk + swap(walk)) + bare + loops_through_pass(ring, kinds));
   }
   return below;
@@ -287,7 +289,7 @@ RoutingCounts count_trees(const CountedTreeParts& counted, int fingers, int bloc
   const int ends = parts.motor_ends + parts.fixed_ends;
   const auto trees_with = [&](int with_joins, int motor_ends, int with_ends) {
     return series::trees(ring, {parts.tube_like_tips, with_joins, motor_ends, with_ends, anchors,
-                                counted.linked, counted.series});
+                                counted.linked, counted.series, counted.barred});
   };
   const auto all = trees_with(joins, parts.motor_ends, ends);
   const auto passive = trees_with(parts.passive_joins, 0, parts.fixed_ends);

@@ -15,6 +15,7 @@ struct CountedTreeParts {
   bool anchored = false;  // a tendon may be tied at a fingertip
   bool linked = false;    // two tails may be tied to each other
   bool series = false;    // a root may pass several blocks
+  bool barred = false;    // all blocks but those in series may be bars
   // Brute force only:
   int motors = 1;          // of several, each pulls something
   int passive_beside = 0;  // kinds of joins that may stand beside an end or a tail
