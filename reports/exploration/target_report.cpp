@@ -60,7 +60,7 @@ std::string targeted_text(const TargetedDesign& design, const Goal& goal) {
   return fmt::format("{}, shares miss by {}", start, fixed(design.sized.design.after.nominal));
 }
 
-// Bars are not among the parts that are explored.
+// Bars with these arms are not among the parts that are explored.
 std::vector<DocumentLine> bar_lines(const Goal& goal) {
   const auto bars = whiffletree(goal.target);
   if (!bars) return {};
@@ -72,8 +72,8 @@ std::vector<DocumentLine> bar_lines(const Goal& goal) {
                           token.arms.left, token.block);
     }
   }
-  return {{fmt::format("Bars are not explored; they give this ratio by statics: {}, arms {}",
-                       to_word(*bars), arms)}};
+  return {{fmt::format("A whiffletree gives this ratio by statics: {}, arms {}", to_word(*bars),
+                       arms)}};
 }
 
 Json targeted_json(const TargetedDesign& design, const MotorParts& motor) {

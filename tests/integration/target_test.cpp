@@ -54,7 +54,7 @@ TEST(ExploredTarget, OutOfReachIsExitCodeOne) {
   EXPECT_EQ(far.result.exit_code, 1);
   EXPECT_TRUE(has(far.result.out, "No design reaches the target 200.00:1.00; the nearest is "));
   EXPECT_TRUE(has(far.result.out,
-                  "\nBars are not explored; they give this ratio by statics: "
+                  "\nA whiffletree gives this ratio by statics: "
                   "M-W1+1x-W1/200:1-2x, arms 1:200 at W1\n"));
 }
 
