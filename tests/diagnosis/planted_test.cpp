@@ -105,6 +105,14 @@ TEST(PlantedPairs, AreBothNamed) {
   EXPECT_EQ(named(diagnosed_plant(planted.csv)), hidden(planted));
 }
 
+// Of one law each is a part, so that greed would take the law.
+TEST(PlantedPairs, ThatALawWouldFollowAreBothNamed) {
+  SKIP_UNDER_SANITIZERS();
+  const Planted planted =
+      plant({EffectKind::speed_dependent_friction, EffectKind::bending_stiffness}, 57);
+  EXPECT_EQ(named(diagnosed_plant(planted.csv)), hidden(planted));
+}
+
 TEST(PlantedAliases, AreIndistinguishableUntilTheSeparatingRowsAreThere) {
   SKIP_UNDER_SANITIZERS();
   const PlantedAlias planted = plant_alias(AliasKind::gain_or_offset, low_noise, 58);
