@@ -52,7 +52,7 @@ bool is_a_law_of_its_name(const SearchedModel& search, const Scored& way, const 
   return apart_N.cwiseQuotient(search.now.likelihood.problem.deviation_N).norm() <= same;
 }
 
-// Those that could be as likely as the accepted term, the likeliest first.
+// Charges the ways that could be as likely as the accepted term, and puts the likeliest first.
 void weigh_coefficients(const SearchedModel& search, std::vector<Scored>& ways) {
   constexpr double most = 20;  // no coefficients cost more nats
   for (Scored& way : ways) {

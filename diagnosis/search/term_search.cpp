@@ -77,7 +77,7 @@ class Searching {
     return std::move(result_);
   }
 
-  // What explains the readings instead of all coefficients that differ explains them instead of
+  // A term that explains the readings instead of all coefficients that differ does so instead of
   // each: wear makes sheaths and tubes rougher in one proportion.
   Explanation take_with_alternatives() {
     Explanation result = take();

@@ -105,7 +105,7 @@ TEST(PlantedPairs, AreBothNamed) {
   EXPECT_EQ(named(diagnosed_plant(planted.csv)), hidden(planted));
 }
 
-// Of one law each is a part, so that greed would take the law.
+// Greed would take one law of which each is a part.
 TEST(PlantedPairs, ThatALawWouldFollowAreBothNamed) {
   SKIP_UNDER_SANITIZERS();
   const Planted planted =
