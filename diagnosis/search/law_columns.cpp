@@ -42,11 +42,7 @@ bool LawColumns::is_of_noise(const RowCovariate& x) const {
 
 MatrixXd LawColumns::values(const std::vector<RowLaw>& laws) const {
   const auto rows = static_cast<Index>(table_.all->rows.size());
-  MatrixXd result(static_cast<Index>(cells_.size()), static_cast<Index>(laws.size()));
-  for (std::size_t j = 0; j < laws.size(); ++j) {
-    result.col(static_cast<Index>(j)) = value_by_row(table_.covariates, laws[j], rows)(rows_);
-  }
-  return result;
+  return values_by_row(table_.covariates, laws, rows)(rows_, Eigen::all);
 }
 
 VectorXd LawColumns::by_row(const VectorXd& of_cells) const {

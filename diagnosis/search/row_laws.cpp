@@ -9,6 +9,7 @@ namespace {
 
 using causes::CovariateKind;
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 std::optional<double> recorded(const Covariate& covariate, const DatasetRow& row,
@@ -78,6 +79,8 @@ std::vector<RowCovariate> row_covariates(const Dataset& dataset) {
   return result;
 }
 
+namespace {
+
 VectorXd value_by_row(const std::vector<RowCovariate>& covariates, const RowLaw& law, Index rows) {
   if (law.form == Form::constant) return VectorXd::Constant(rows, law.values[0]);
   Term term;
@@ -90,6 +93,17 @@ VectorXd value_by_row(const std::vector<RowCovariate>& covariates, const RowLaw&
   for (Index r = 0; r < rows; ++r) {
     result[r] = causes::law_value(term, covariates[law.x].by_row[r], covariates[law.y].by_row[r],
                                   law.values.data());
+  }
+  return result;
+}
+
+}  // namespace
+
+MatrixXd values_by_row(const std::vector<RowCovariate>& covariates, const std::vector<RowLaw>& laws,
+                       Index rows) {
+  MatrixXd result(rows, static_cast<Index>(laws.size()));
+  for (std::size_t j = 0; j < laws.size(); ++j) {
+    result.col(static_cast<Index>(j)) = value_by_row(covariates, laws[j], rows);
   }
   return result;
 }

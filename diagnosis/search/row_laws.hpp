@@ -42,8 +42,8 @@ struct RowLaw {
   bool y_logarithmic = false;     // for a product
 };
 
-// The law's value in each row.
-Eigen::VectorXd value_by_row(const std::vector<RowCovariate>& covariates, const RowLaw& law,
-                             Eigen::Index rows);
+// The value of each law, a column of so many rows.
+Eigen::MatrixXd values_by_row(const std::vector<RowCovariate>& covariates,
+                              const std::vector<RowLaw>& laws, Eigen::Index rows);
 
 }  // namespace reeve::diagnosis

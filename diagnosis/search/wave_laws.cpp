@@ -20,20 +20,11 @@ constexpr std::size_t enough_values = 8;
 constexpr int most_waves = 64;               // half periods over the range
 constexpr std::size_t waves_of_a_lever = 8;  // number of waves fitted closely
 
-// Sines and cosines of the same periods, and their values by row.
+// Sines and cosines of the same periods, and their values by row. Their squares add up to 1.
 struct Waves {
   std::vector<RowLaw> sines, cosines;
-  MatrixXd sine, cosine;
+  MatrixXd sine, cosine, sine_squared;
 };
-
-MatrixXd values_by_row(const LawTable& table, const std::vector<RowLaw>& laws) {
-  const auto rows = static_cast<Index>(table.all->rows.size());
-  MatrixXd result(rows, static_cast<Index>(laws.size()));
-  for (std::size_t j = 0; j < laws.size(); ++j) {
-    result.col(static_cast<Index>(j)) = value_by_row(table.covariates, laws[j], rows);
-  }
-  return result;
-}
 
 Waves waves_of(const LawColumns& columns) {
   Waves result;
@@ -47,24 +38,24 @@ Waves waves_of(const LawColumns& columns) {
       result.cosines.push_back({Form::sine, c, 0, {0, 1, 2 * span / k}});
     }
   }
-  result.sine = values_by_row(columns.table(), result.sines);
-  result.cosine = values_by_row(columns.table(), result.cosines);
+  const LawTable& table = columns.table();
+  const auto rows = static_cast<Index>(table.all->rows.size());
+  result.sine = values_by_row(table.covariates, result.sines, rows);
+  result.cosine = values_by_row(table.covariates, result.cosines, rows);
+  result.sine_squared = result.sine.cwiseAbs2();
   return result;
-}
-
-VectorXd promise(const MatrixXd& values, const VectorXd& residual, const VectorXd& square) {
-  constexpr double tiny = std::numeric_limits<double>::min();
-  const VectorXd along = values.transpose() * residual;
-  const VectorXd squares = values.cwiseAbs2().transpose() * square;
-  return along.cwiseAbs2().cwiseQuotient(squares.cwiseMax(tiny));
 }
 
 std::vector<std::size_t> most_promising(const Waves& waves, const LawColumns& columns,
                                         const VectorXd& by_value) {
+  constexpr double tiny = std::numeric_limits<double>::min();
   const VectorXd residual = columns.by_row(by_value.cwiseProduct(columns.pulled_back()));
   const VectorXd square = columns.by_row(by_value.cwiseAbs2());
+  const VectorXd of_sine = waves.sine_squared.transpose() * square;
+  const VectorXd of_cosine = square.sum() - of_sine.array();
   const VectorXd promised =
-      promise(waves.sine, residual, square) + promise(waves.cosine, residual, square);
+      (waves.sine.transpose() * residual).cwiseAbs2().cwiseQuotient(of_sine.cwiseMax(tiny)) +
+      (waves.cosine.transpose() * residual).cwiseAbs2().cwiseQuotient(of_cosine.cwiseMax(tiny));
   std::vector<std::pair<double, std::size_t>> promises;
   for (std::size_t w = 0; w < waves.sines.size(); ++w) {
     promises.emplace_back(promised[static_cast<Index>(w)], w);
