@@ -13,6 +13,7 @@
 #include "diagnosis/diagnose.hpp"
 #include "numerics/random.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -169,6 +170,7 @@ std::string csv_of_two_sheaths(double mu, double angle_1, double angle_2) {
 }
 
 TEST(Calibration, OfCausesThatExplainAlikeTheCoefficientDecides) {
+  SKIP_UNDER_SANITIZERS();
   constexpr double angle = 2 * std::numbers::pi;
   const std::string csv = csv_of_two_sheaths(0.18, angle + 1, angle);
   const DiagnosisResult as_the_hardware_says = diagnosed_sheaths(csv);
