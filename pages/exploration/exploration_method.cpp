@@ -5,18 +5,11 @@
 #include "pages/page_words.hpp"
 #include "pages/shell/settings.hpp"
 #include "reports/data_text.hpp"
+#include "reports/exploration/part_words.hpp"
 #include "reports/model_text.hpp"
 
 namespace reeve::pages {
 namespace {
-
-// "T,B,P" for reading.
-std::string spaced(const std::string& list) {
-  if (list.empty()) return "none";
-  std::string text;
-  for (const char c : list) text += c == ',' ? std::string(", ") : std::string(1, c);
-  return text;
-}
 
 std::string friction_text(const Hardware& hardware) {
   const auto law = [](const char* what, const ContactLaw& contact) {
@@ -40,33 +33,16 @@ std::string ranked_text(const ExploreOptions& options) {
   return fmt::format(" and ranked over {}, front by front", titles(options.order.objectives));
 }
 
-// Describes the parts, without those that are not allowed.
-std::string tied_text(const PartSet& parts) {
-  std::string text;
-  if (parts.anchored) text += "; anchored tips";
-  if (parts.blocks > 0) {
-    text += fmt::format("; up to {}",
-                        plural(static_cast<std::uint64_t>(parts.blocks), "floating block"));
-  }
-  if (parts.motors > 1) text += fmt::format("; {} motors", parts.motors);
-  if (!parts.beside.empty()) text += "; beside ends: " + spaced(beside_text(parts));
-  if (parts.linked) text += "; linked blocks";
-  if (parts.series) text += "; blocks in series";
-  if (parts.bars) text += "; bars";
-  return text;
-}
-
 }  // namespace
 
 std::vector<std::string> explored_words(const ExploreReport& report) {
   const ExploreOptions& options = report.options;
   const GeneratorOptions& generator = options.generator;
   std::vector<std::string> text{fmt::format(
-      "{} of {} of {} were generated: fingertips: {}; joins: {}; ends: {}{}; {}; fingers {}.",
-      report.result.generated, plural(report.result.total, "routing"),
+      "{} of {} of {} were generated: {}; {}; fingers {}.", report.result.generated,
+      plural(report.result.total, "routing"),
       plural(static_cast<std::uint64_t>(generator.fingers), "finger"),
-      spaced(tips_text(generator.parts)), spaced(joins_text(generator.parts)),
-      spaced(ends_text(generator.parts)), tied_text(generator.parts),
+      reports::parts_text(generator.parts),
       generator.one_tendon ? "one tendon" : "any number of tendons",
       generator.identity == FingerIdentity::identical ? "count as alike" : "are told apart")};
   text.push_back(fmt::format("Each was judged over the grasps {} (which fingers are held){}.",
