@@ -5,18 +5,21 @@
 #include <map>
 #include <tuple>
 #include <utility>
+#include <vector>
+
+#include "readings/row_order.hpp"
 
 namespace reeve::diagnosis {
 namespace {
 
 std::shared_ptr<const Record> record(const MeasuredData& data, const Reading& reading,
-                                     double order) {
+                                     double run_number, double order) {
   Record result{data.runs[reading.run], reading.group ? data.groups[*reading.group] : "", {}};
   const auto add = [&](const std::string& name, std::optional<double> value) {
     if (value) result.columns.push_back({name, *value});
   };
   add("order", order);
-  add("run", static_cast<double>(reading.run + 1));
+  add("run", run_number);
   add("sheath_angle_rad", reading.sheath_angle_rad);
   for (std::size_t c = 0; c < data.covariates.size(); ++c) {
     add(data.covariates[c], reading.covariates[c]);
@@ -24,7 +27,8 @@ std::shared_ptr<const Record> record(const MeasuredData& data, const Reading& re
   return std::make_shared<const Record>(std::move(result));
 }
 
-Conditions conditions(const MeasuredData& data, std::size_t index) {
+Conditions conditions(const MeasuredData& data, std::size_t index,
+                      const std::vector<double>& run_numbers) {
   const Reading& reading = data.readings[index];
   Conditions result;
   result.motor_tension_N = reading.motor_tension_N.value_or(result.motor_tension_N);
@@ -33,7 +37,7 @@ Conditions conditions(const MeasuredData& data, std::size_t index) {
   result.temperature_C = reading.temperature_C.value_or(result.temperature_C);
   const std::size_t last = data.readings.size() - 1;
   result.order = last > 0 ? static_cast<double>(reading.taken) / static_cast<double>(last) : 0;
-  result.record = record(data, reading, result.order);
+  result.record = record(data, reading, run_numbers[reading.run], result.order);
   return result;
 }
 
@@ -133,6 +137,7 @@ Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readin
   Dataset result;
   result.data = &data;
   std::map<Key, std::size_t> blocks;
+  const std::vector<double> run_numbers = readings::run_numbers(data.runs);
   for (const std::size_t index : readings) {
     const Reading& reading = data.readings[index];
     std::vector<Cell> cells;
@@ -151,7 +156,7 @@ Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readin
     result.blocks[found->second].rows.push_back(result.rows.size());
     result.rows.push_back({index, result.cells.size(), result.cells.size() + cells.size(),
                            reading.motor_tension_N.has_value(), motor_deviation(data, reading),
-                           conditions(data, index)});
+                           conditions(data, index, run_numbers)});
     result.cells.insert(result.cells.end(), cells.begin(), cells.end());
   }
   return result;

@@ -159,6 +159,29 @@ bool natural_less(std::string_view a, std::string_view b) {
   return whole_a < whole_b;
 }
 
+std::vector<double> run_numbers(const std::vector<std::string>& runs) {
+  constexpr std::string_view digits = "0123456789";
+  constexpr std::size_t most_digits = 15;  // of which a double holds each
+  std::vector<double> result;
+  std::optional<std::pair<std::string_view, std::string_view>> around;
+  for (const std::string_view name : runs) {
+    const std::size_t last = name.find_last_of(digits);
+    if (last == name.npos) break;
+    const std::size_t first = name.find_last_not_of(digits, last) + 1;  // npos + 1 is 0
+    const std::pair here{name.substr(0, first), name.substr(last + 1)};
+    if (last - first >= most_digits || (around && *around != here)) break;
+    around = here;
+    double number = 0;
+    for (const char digit : name.substr(first, last + 1 - first))
+      number = 10 * number + (digit - '0');
+    result.push_back(number);
+  }
+  if (result.size() == runs.size()) return result;
+  result.resize(runs.size());
+  std::iota(result.begin(), result.end(), 1.0);
+  return result;
+}
+
 MeasuredData in_order_of_contents(MeasuredData data) {
   order_channels(data);
   order_runs(data);

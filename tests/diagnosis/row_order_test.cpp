@@ -42,6 +42,21 @@ std::vector<std::size_t> lines_of(const MeasuredData& data) {
   return lines;
 }
 
+TEST(RunNumbers, AreThoseOfTheNamesWhereNothingElseDiffers) {
+  EXPECT_EQ(run_numbers({"m3", "m12", "m013"}), (std::vector<double>{3, 12, 13}));
+  EXPECT_EQ(run_numbers({"101", "102"}), (std::vector<double>{101, 102}));
+  EXPECT_EQ(run_numbers({"2 kg", "10 kg"}), (std::vector<double>{2, 10}));
+}
+
+TEST(RunNumbers, CountElsewhere) {
+  const std::vector<double> counted{1, 2};
+  EXPECT_EQ(run_numbers({"day1_3", "day2_1"}), counted);
+  EXPECT_EQ(run_numbers({"m3", "new"}), counted);
+  EXPECT_EQ(run_numbers({"new", "m3"}), counted);
+  EXPECT_EQ(run_numbers({"1000000000000000", "1000000000000001"}), counted);
+  EXPECT_TRUE(run_numbers({}).empty());
+}
+
 TEST(InOrderOfContents, IsByRunThenByWhatRowsSay) {
   ReadingOptions options;
   options.group = "winch";
