@@ -1,6 +1,7 @@
 #include "diagnosis/search/defence.hpp"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "causes/term.hpp"
@@ -52,6 +53,14 @@ bool is_a_law_of_its_name(const SearchedModel& search, const Scored& way, const 
   return apart_N.cwiseQuotient(search.now.likelihood.problem.deviation_N).norm() <= same;
 }
 
+// The place in the file and the number of the run both say when a reading was taken.
+std::string follows(const causes::Covariate& covariate) {
+  const std::string name = covariate_name(covariate);
+  const bool is_place = covariate.kind == causes::CovariateKind::column &&
+                        (covariate.column == "order" || covariate.column == "run");
+  return is_place ? "when" : name;
+}
+
 // Charges the ways that could be as likely as the accepted term, and puts the likeliest first.
 void weigh_coefficients(const SearchedModel& search, std::vector<Scored>& ways) {
   constexpr double most = 20;  // no coefficients cost more nats
@@ -70,8 +79,7 @@ bool is_kin(const Effect& a, const Effect& b) {
   if (x == nullptr || y == nullptr || x->target != y->target) return false;
   if (causes::site_name(x->site) != causes::site_name(y->site)) return false;
   return x->form == Form::constant || y->form == Form::constant ||
-         (covariate_name(x->x) == covariate_name(y->x) &&
-          covariate_name(x->y) == covariate_name(y->y));
+         (follows(x->x) == follows(y->x) && follows(x->y) == follows(y->y));
 }
 
 void drop_superfluous(SearchedModel& search) {

@@ -37,10 +37,10 @@ struct Row {
 // What a strand's sensor reads over what it should.
 using Factor = std::function<double(const Row&, int strand)>;
 
-std::string readings(const Factor& factor) {
+std::string readings(const Factor& factor, int first_run = 0) {
   std::string text = "run,routing,held,motor_tension_N,humidity_pct,supply_V,T1_N,T2_N,T3_N,T4_N\n";
   std::uint64_t drawn = 0;
-  for (int run = 0; run < 12; ++run) {
+  for (int run = first_run; run < first_run + 12; ++run) {
     for (const double motor_N : {8.0, 12.0, 18.0, 27.0, 35.0, 50.0}) {
       const Row row{run, 4.5 + uniform(1, 2, drawn), 20 + 60 * uniform(1, 3, drawn)};
       text += fmt::format("r{},M-1-T-2-F,1,{},{:.2f},{:.4f}", run, motor_N, row.humidity_pct,
@@ -193,6 +193,27 @@ TEST(TermSearch, NamesARunThatStandsApart) {
   ASSERT_EQ(result.apart.size(), 1U);
   EXPECT_EQ(result.apart.front().run, "r7");
   EXPECT_TRUE(result.causes.empty());
+}
+
+// The place of a reading in the file says no more of it than its run does, and a later file has
+// runs of higher numbers.
+TEST(TermSearch, SaysFromWhichRunOnASensorIsOff) {
+  const auto off = [](const Row& row, int strand) {
+    return row.run >= 7 && strand == 2 ? 1.12 : 1;
+  };
+  const DiagnosisResult result = diagnosed(readings(off));
+  EXPECT_EQ(result.verdict, Verdict::cause);
+  ASSERT_EQ(result.causes.size(), 1U);
+  EXPECT_EQ(result.causes.front().name, "law[gain of T3, run, step]");
+  EXPECT_NEAR(result.causes.front().effect.values[0], 0.12, 0.01);
+
+  const MeasuredData later = read_data(readings(off, 30));
+  const Dataset all = dataset(later, {0, 40, 71});
+  const Forecast at = forecast(all, result.model);
+  for (std::size_t i = 0; i < all.cells.size(); ++i) {
+    const double measured_N = all.cells[i].measured_N;
+    EXPECT_NEAR(at.reading_N[static_cast<Eigen::Index>(i)], measured_N, 0.05 * measured_N);
+  }
 }
 
 TEST(TermSearch, IsTheSameForAnyNumberOfThreads) {
