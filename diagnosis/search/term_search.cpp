@@ -24,6 +24,12 @@ std::size_t carried_terms(const Dataset& dataset) {
   return static_cast<std::size_t>(std::clamp(carried, 1.0, most_terms));
 }
 
+std::set<std::string> names(const std::vector<AcceptedTerm>& terms) {
+  std::set<std::string> result;
+  for (const AcceptedTerm& term : terms) result.insert(effect_name(term.effect));
+  return result;
+}
+
 class Searching {
  public:
   Searching(const Dataset& dataset, const Vocabulary& words, const TermSearchOptions& options,
@@ -45,7 +51,7 @@ class Searching {
 
   bool find(const std::function<bool(const char*)>& stop) {
     std::set<std::set<std::string>> met;  // a term may be accepted and lose its place at once
-    while (accepted().size() < result_.most_causes && met.insert(names()).second) {
+    while (accepted().size() < result_.most_causes && met.insert(names(accepted())).second) {
       if (stop("searching for causes")) return false;
       if (!accept_best()) break;
       drop_superfluous(search_);
@@ -107,15 +113,23 @@ class Searching {
 
   const ScatterLevel& level() const { return search_.now.likelihood.level; }
 
-  void compare_with(const Model& model, const std::vector<AcceptedTerm>& accepted) {
-    const double all = search_.evidence_of(model, accepted);
-    for (std::size_t c = 0; c < accepted.size(); ++c) {
-      std::vector<AcceptedTerm> less = accepted;
+  // What was accepted on more readings takes the place of what was found here if that is hardly
+  // more evident and each of its terms is evident here: more readings tell apart what these cannot.
+  void compare_with(const Model& model, const std::vector<AcceptedTerm>& of_more) {
+    const double all = search_.evidence_of(model, of_more);
+    const bool fits = all >= search_.now.evidence - least_evidence;
+    bool shows = fits && !of_more.empty();
+    for (std::size_t c = 0; c < of_more.size(); ++c) {
+      std::vector<AcceptedTerm> less = of_more;
       less.erase(less.begin() + static_cast<std::ptrdiff_t>(c));
-      const Model without_it = without(model, place(model, accepted[c].effect));
-      result_.holds.push_back(all >= search_.now.evidence - least_evidence &&
-                              all >= search_.evidence_of(without_it, less));
+      const Model without_it = without(model, place(model, of_more[c].effect));
+      const double rise = all - search_.evidence_of(without_it, less);
+      result_.holds.push_back(fits && rise >= 0);
+      shows = shows && rise >= least_evidence;
     }
+    if (!shows || names(of_more) == names(accepted())) return;
+    accepted() = of_more;
+    search_.settle(model);
   }
 
   // Takes up what was found before, but for one cause.
@@ -150,12 +164,6 @@ class Searching {
       if (!(deficit < least_evidence)) continue;
       result.push_back({effect_name(way.term.effect), std::move(way.model), deficit});
     }
-    return result;
-  }
-
-  std::set<std::string> names() const {
-    std::set<std::string> result;
-    for (const AcceptedTerm& term : search_.accepted) result.insert(effect_name(term.effect));
     return result;
   }
 

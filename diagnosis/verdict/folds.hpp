@@ -2,8 +2,9 @@
 // they have not seen.
 //
 // Runs are dealt to at most five folds, those of one routing in turn. Each fold is opened once, by
-// the model that was found without it. A name holds if more than half of the folds find it, too, or
-// something that cannot be told from it.
+// the model that was found without it. Where the readings of a fold's model hardly tell that from
+// what all readings name, it is the latter, fitted to them alone. A name holds if more than half of
+// the folds find it, too, or something that cannot be told from it.
 #pragma once
 
 #include <cstddef>
