@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "search/enumerate/parts.hpp"
-#include "tests/support/tree_counting.hpp"
+#include "tests/support/counting.hpp"
 
 namespace reeve::testing {
 

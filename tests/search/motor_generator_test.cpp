@@ -13,8 +13,8 @@
 #include "tests/search/counted_parts.hpp"
 #include "tests/search/generated.hpp"
 #include "tests/search/naive_exploration.hpp"
+#include "tests/support/brute_force.hpp"
 #include "tests/support/sanitizers.hpp"
-#include "tests/support/tree_brute_force.hpp"
 
 namespace reeve::testing {
 namespace {

@@ -7,8 +7,8 @@
 #include "search/enumerate/counting.hpp"
 #include "tests/search/counted_parts.hpp"
 #include "tests/search/generated.hpp"
+#include "tests/support/brute_force.hpp"
 #include "tests/support/sanitizers.hpp"
-#include "tests/support/tree_brute_force.hpp"
 
 namespace reeve::testing {
 namespace {

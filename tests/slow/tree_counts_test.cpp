@@ -4,14 +4,14 @@
 
 #include "search/enumerate/counting.hpp"
 #include "tests/search/counted_parts.hpp"
-#include "tests/support/tree_brute_force.hpp"
+#include "tests/support/brute_force.hpp"
 
 namespace reeve::testing {
 namespace {
 
 void expect_brute_force(PartSet parts, FingerIdentity identity) {
   parts.anchored = true;
-  const BruteForceCounts expected =
+  const auto expected =
       brute_force_trees(counted_with_trees(parts), 3, 2, identity == FingerIdentity::identical);
   parts.blocks = 2;
   const auto up_to_two = count_routings(parts, 3, identity);
@@ -30,7 +30,7 @@ TEST(TreeCountsOfThreeFingersAndTwoBlocks, AreThoseOfBruteForce) {
 TEST(MotorCountsOfFourFingers, AreThoseOfBruteForce) {
   PartSet parts = paper_parts();
   parts.motors = 2;
-  const BruteForceCounts expected = brute_force_trees(counted_with_trees(parts), 4, 0, true);
+  const auto expected = brute_force_trees(counted_with_trees(parts), 4, 0, true);
   const auto counts = count_routings(parts, 4, FingerIdentity::identical);
   EXPECT_EQ(counts.all, expected.all);
   EXPECT_EQ(counts.actuated, expected.actuated);

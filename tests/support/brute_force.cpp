@@ -1,8 +1,8 @@
 #include "tests/support/brute_force.hpp"
 
+#include <algorithm>
 #include <cstddef>
-#include <functional>
-#include <stdexcept>
+#include <numeric>
 #include <vector>
 
 #include "tests/support/part_graph.hpp"
@@ -10,153 +10,352 @@
 namespace reeve::testing {
 namespace {
 
-struct PartKinds {
-  std::size_t tips;
+enum class PortKind { strand, side, tail };
+
+// What is tied at the hand: a strand's end, a side of a block's pass, a block's tail.
+struct Port {
+  PortKind kind;
+  std::size_t owner;  // finger or block
+};
+
+constexpr std::size_t untied = static_cast<std::size_t>(-1);
+
+// A port that is its own partner has an end, `part` % ends, and two strands a join of the kind
+// `part`. Partners of which one is a tail, and ends, touch, or have a join of the kind `part` - 1,
+// or `part` / ends - 1, between them. Sides of two passes touch or have a join of the kind
+// `part` - 1 between them; all other partners touch.
+struct Tie {
+  std::size_t partner = untied;
+  std::size_t part = 0;
+};
+
+struct PortParts {
+  std::size_t tips;  // the kind behind them is an anchored tip
+  bool anchored;
+  bool linked;
+  bool series;
+  bool barred;
   std::size_t joins;  // passive ones first
   std::size_t passive_joins;
   std::size_t ends;  // motor ones first
   std::size_t motor_ends;
+  std::size_t motors;  // for each kind on a carriage one kind after the other
+  std::size_t beside;  // passive ones first
+  std::size_t passive_beside;
+
+  std::size_t fingers() const { return tips + (anchored ? 1 : 0); }
 };
 
-std::size_t checked_kinds(int kinds) {
-  if (kinds < 0) throw std::invalid_argument("number of part kinds is negative");
-  return static_cast<std::size_t>(kinds);
+std::size_t many(int number) { return static_cast<std::size_t>(number); }
+
+PortParts port_parts(const CountedTreeParts& counted) {
+  const CountedParts& parts = counted.parts;
+  return {many(parts.tube_like_tips),
+          counted.anchored,
+          counted.linked,
+          counted.series,
+          counted.barred,
+          many(parts.passive_joins + parts.motor_joins * counted.motors),
+          many(parts.passive_joins),
+          many(parts.motor_ends * counted.motors + parts.fixed_ends),
+          many(parts.motor_ends * counted.motors),
+          many(counted.motors),
+          many(counted.passive_beside + counted.motor_beside * counted.motors),
+          many(counted.passive_beside)};
 }
 
-PartKinds kinds_of(const CountedParts& parts) {
-  const std::size_t passive_joins = checked_kinds(parts.passive_joins);
-  const std::size_t motor_ends = checked_kinds(parts.motor_ends);
-  return {checked_kinds(parts.tube_like_tips), passive_joins + checked_kinds(parts.motor_joins),
-          passive_joins, motor_ends + checked_kinds(parts.fixed_ends), motor_ends};
-}
-
-// The definition, literally. Finger f (from 0) has the strands 2f and 2f + 1. A strand that is its
-// own partner has an end of kind hand_kind, otherwise a join of that kind leads to its partner.
-struct Assignment {
-  std::vector<std::size_t> tip_kind;   // by finger
-  std::vector<std::size_t> partner;    // by strand
-  std::vector<std::size_t> hand_kind;  // by strand
-};
-
-using Visitor = std::function<void(const Assignment&)>;
-
-class Enumeration {
+class Search {
  public:
-  Enumeration(const PartKinds& kinds, std::size_t fingers, const Visitor& visit)
+  Search(const PortParts& kinds, std::size_t fingers, std::size_t blocks, bool identical)
       : kinds_(kinds),
-        visit_(visit),
-        current_{std::vector<std::size_t>(fingers), std::vector<std::size_t>(2 * fingers),
-                 std::vector<std::size_t>(2 * fingers)},
-        taken_(2 * fingers, false) {}
+        blocks_(blocks),
+        identical_(identical),
+        tip_(fingers, 0),
+        classes_(first_tip() + kinds.fingers() * fingers) {}
 
-  void run() { choose_tip(0); }
+  const RoutingCounts& run() {
+    for (bars_ = 0; bars_ <= (kinds_.barred ? blocks_ : 0); ++bars_) choose_tip(0);
+    return classes_.counts();
+  }
 
  private:
+  // Of identical fingers the kinds may be taken to ascend.
   void choose_tip(std::size_t finger) {
-    if (finger == current_.tip_kind.size()) return choose_hand(0);
-    for (std::size_t kind = 0; kind < kinds_.tips; ++kind) {
-      current_.tip_kind[finger] = kind;
+    if (finger == tip_.size()) return tie_all();
+    for (std::size_t kind = finger > 0 && identical_ ? tip_[finger - 1] : 0;
+         kind < kinds_.fingers(); ++kind) {
+      tip_[finger] = kind;
       choose_tip(finger + 1);
     }
   }
 
-  // Partners are sought among later strands only, so that each pair is met once.
-  void choose_hand(std::size_t strand) {
-    if (strand == taken_.size()) return visit_(current_);
-    if (taken_[strand]) return choose_hand(strand + 1);
-    for (std::size_t kind = 0; kind < kinds_.ends; ++kind) {
-      set(strand, strand, kind);
-      choose_hand(strand + 1);
+  bool is_anchored(std::size_t finger) const { return tip_[finger] == kinds_.tips; }
+
+  void tie_all() {
+    ports_.clear();
+    for (std::size_t f = 0; f < tip_.size(); ++f) {
+      ports_.push_back({PortKind::strand, f});
+      if (!is_anchored(f)) ports_.push_back({PortKind::strand, f});
     }
-    for (std::size_t other = strand + 1; other < taken_.size(); ++other)
-      if (!taken_[other]) choose_join(strand, other);
-  }
-
-  void choose_join(std::size_t strand, std::size_t other) {
-    taken_[other] = true;
-    for (std::size_t kind = 0; kind < kinds_.joins; ++kind) {
-      set(strand, other, kind);
-      set(other, strand, kind);
-      choose_hand(strand + 1);
+    for (std::size_t b = 0; b < blocks_; ++b) {
+      ports_.push_back({PortKind::side, b});
+      ports_.push_back({PortKind::side, b});
+      ports_.push_back({PortKind::tail, b});
     }
-    taken_[other] = false;
+    ties_.assign(ports_.size(), {});
+    tie(0);
   }
 
-  void set(std::size_t strand, std::size_t partner, std::size_t kind) {
-    current_.partner[strand] = partner;
-    current_.hand_kind[strand] = kind;
+  void tie(std::size_t port) {
+    if (port == ports_.size()) return add();
+    if (ties_[port].partner != untied) return tie(port + 1);
+    for (std::size_t part = 0; part < kinds_.ends * (1 + kinds_.beside); ++part) {
+      if (ports_[port].kind != PortKind::tail || hangs(part)) with(port, port, part);
+    }
+    for (std::size_t other = port + 1; other < ports_.size(); ++other) {
+      if (ties_[other].partner != untied || has_free_twin_before(port, other)) continue;
+      const std::size_t joins = ways_to_join(ports_[port], ports_[other]);
+      const bool must_join = are_both(PortKind::tail, port, other) && !kinds_.linked;
+      for (std::size_t join = must_join ? 1 : 0; join < joins; ++join) with(port, other, join);
+    }
   }
 
-  const PartKinds& kinds_;
-  const Visitor& visit_;
-  Assignment current_;
-  std::vector<bool> taken_;  // already joined to an earlier strand
+  // Whether a tail by such an end is no fixed pulley.
+  bool hangs(std::size_t part) const {
+    const std::size_t variant = part / kinds_.ends;
+    return part % kinds_.ends < kinds_.motor_ends || variant > kinds_.passive_beside;
+  }
+
+  void with(std::size_t port, std::size_t other, std::size_t part) {
+    ties_[port] = {other, part};
+    ties_[other] = {port, part};
+    tie(port + 1);
+    ties_[other] = {};
+    ties_[port] = {};
+  }
+
+  bool are_both(PortKind kind, std::size_t a, std::size_t b) const {
+    return ports_[a].kind == kind && ports_[b].kind == kind;
+  }
+
+  std::size_t ways_to_join(const Port& a, const Port& b) const {
+    if (a.kind == PortKind::strand && b.kind == PortKind::strand) return kinds_.joins;
+    if (a.kind == PortKind::tail || b.kind == PortKind::tail) return 1 + kinds_.beside;
+    if (a.kind != b.kind) return 1;
+    return kinds_.series && a.owner != b.owner ? 1 + kinds_.joins : 0;  // of two passes
+  }
+
+  bool is_free(std::size_t port, std::size_t current) const {
+    return port != current && ties_[port].partner == untied;
+  }
+
+  bool is_all_free(PortKind kind, std::size_t owner, std::size_t current) const {
+    for (std::size_t p = 0; p < ports_.size(); ++p) {
+      const bool of_block = (ports_[p].kind == PortKind::strand) == (kind == PortKind::strand);
+      if (of_block && ports_[p].owner == owner && !is_free(p, current)) return false;
+    }
+    return true;
+  }
+
+  // The two strands of a finger, the sides of a pass, identical fingers and blocks are alike as
+  // long as nothing is tied to them, so that the first of them stands for all. It saves time only.
+  bool has_free_twin_before(std::size_t current, std::size_t port) const {
+    const auto [kind, owner] = ports_[port];
+    if (kind != PortKind::tail && ports_[port - 1].kind == kind &&
+        ports_[port - 1].owner == owner && is_free(port - 1, current)) {
+      return true;
+    }
+    const bool is_finger = kind == PortKind::strand;
+    if (!is_finger && owner == bars_) return false;
+    if (owner == 0 || (is_finger && (!identical_ || tip_[owner] != tip_[owner - 1]))) return false;
+    return is_all_free(kind, owner, current) && is_all_free(kind, owner - 1, current);
+  }
+
+  // For each port the least one on its tendon: along fingers, joins and passes, not from a block's
+  // tail to its pass.
+  std::vector<std::size_t> tendons() const {
+    std::vector<std::size_t> tendon(ports_.size());
+    std::iota(tendon.begin(), tendon.end(), std::size_t{0});
+    const auto unite = [&](std::size_t a, std::size_t b) {
+      const std::size_t from = std::max(tendon[a], tendon[b]);
+      const std::size_t to = std::min(tendon[a], tendon[b]);
+      std::replace(tendon.begin(), tendon.end(), from, to);
+    };
+    for (std::size_t p = 0; p < ports_.size(); ++p) {
+      unite(p, ties_[p].partner);
+      if (p > 0 && ports_[p].kind != PortKind::tail && ports_[p].kind == ports_[p - 1].kind &&
+          ports_[p].owner == ports_[p - 1].owner) {
+        unite(p, p - 1);
+      }
+    }
+    return tendon;
+  }
+
+  // Passes[t] holds the blocks that tendon t passes.
+  using Passes = std::vector<std::vector<std::size_t>>;
+
+  bool is_generated() const {
+    const std::vector<std::size_t> tendon = tendons();
+    Passes passes(ports_.size());  // by tendon
+    std::vector<std::size_t> above(blocks_);
+    for (std::size_t p = 0; p < ports_.size(); ++p) {
+      const auto [kind, owner] = ports_[p];
+      if (kind == PortKind::tail) above[owner] = tendon[p];
+      if (kind == PortKind::side &&
+          (p == 0 || !are_both(kind, p - 1, p) || ports_[p - 1].owner != owner)) {
+        passes[tendon[p]].push_back(owner);
+      }
+    }
+    std::vector<std::size_t> tree(ports_.size());  // by tendon
+    std::iota(tree.begin(), tree.end(), std::size_t{0});
+    std::vector<std::size_t> roots_in_series;
+    for (std::size_t t = 0; t < ports_.size(); ++t) {
+      for (const std::size_t block : passes[t]) {
+        const std::size_t from = tree[t];
+        if (from == tree[above[block]]) return false;  // it hangs on itself, or twice
+        std::replace(tree.begin(), tree.end(), from, tree[above[block]]);
+      }
+      if (passes[t].size() == 1 && !carries_more_than_ends(t, tendon)) return false;
+      if (passes[t].size() < 2) continue;
+      if (!kinds_.series || !is_root_in_series(t, tendon, passes, above)) return false;
+      if (std::any_of(passes[t].begin(), passes[t].end(), [&](auto b) { return b < bars_; })) {
+        return false;
+      }
+      roots_in_series.push_back(t);
+    }
+    std::vector<std::size_t> of_trees;
+    for (const std::size_t root : roots_in_series) of_trees.push_back(tree[root]);
+    std::sort(of_trees.begin(), of_trees.end());
+    return std::adjacent_find(of_trees.begin(), of_trees.end()) == of_trees.end();
+  }
+
+  bool carries_more_than_ends(std::size_t t, const std::vector<std::size_t>& tendon) const {
+    for (std::size_t p = 0; p < ports_.size(); ++p) {
+      if (tendon[p] == t && ports_[p].kind != PortKind::side) return true;
+    }
+    return false;
+  }
+
+  // Open, its passes side by side, each block on a tendon that passes none and is more than an end.
+  bool is_root_in_series(std::size_t t, const std::vector<std::size_t>& tendon,
+                         const Passes& passes, const std::vector<std::size_t>& above) const {
+    std::size_t ends = 0;
+    std::size_t side_by_side = 0;
+    for (std::size_t p = 0; p < ports_.size(); ++p) {
+      const auto [kind, owner] = ports_[p];
+      const std::size_t partner = ties_[p].partner;
+      if (kind == PortKind::tail && partner == p &&
+          std::count(passes[t].begin(), passes[t].end(), owner) > 0) {
+        return false;
+      }
+      if (tendon[p] != t) continue;
+      const bool is_anchor = kind == PortKind::strand && is_anchored(owner);
+      if (partner == p || is_anchor || kind == PortKind::tail) ++ends;
+      if (partner > p && are_both(PortKind::side, p, partner)) ++side_by_side;
+    }
+    return ends == 2 && side_by_side + 1 == passes[t].size() &&
+           std::all_of(passes[t].begin(), passes[t].end(),
+                       [&](std::size_t block) { return passes[above[block]].empty(); });
+  }
+
+  // Colours: strand, side, tail, block, ends, joins, joins beside ends, carriages, tips. A bar's
+  // tail has the block's colour.
+  std::size_t first_join() const { return 4 + kinds_.ends; }
+  std::size_t first_beside() const { return first_join() + kinds_.joins; }
+  std::size_t first_carriage() const { return first_beside() + kinds_.beside; }
+  std::size_t first_tip() const { return first_carriage() + kinds_.motors; }
+
+  // Each motor that pulls something, by what is on its carriage. Identical ones have one colour.
+  bool add_carriages(Graph& graph) const {
+    std::vector<std::vector<Vertex>> moved(kinds_.motors);
+    for (Vertex v = 0; v < boost::num_vertices(graph); ++v) {
+      if (!graph[v].motor) continue;
+      std::size_t& colour = graph[v].colour;
+      const std::size_t first = colour < first_join()     ? 4
+                                : colour < first_beside() ? first_join() + kinds_.passive_joins
+                                                          : first_beside() + kinds_.passive_beside;
+      const std::size_t motor = (colour - first) % kinds_.motors;
+      colour -= motor;
+      moved[motor].push_back(v);
+    }
+    for (std::size_t motor = 0; motor < kinds_.motors; ++motor) {
+      if (moved[motor].empty() && kinds_.motors > 1) return false;
+      const std::size_t colour = first_carriage() + (identical_ ? 0 : motor);
+      const Vertex carriage = add_part({colour, false, true}, graph);
+      for (const Vertex v : moved[motor]) boost::add_edge(carriage, v, graph);
+    }
+    return true;
+  }
+
+  void add() {
+    if (!is_generated()) return;
+    Graph graph;
+    for (const Port& port : ports_) {
+      const bool is_pivot = port.kind == PortKind::tail && port.owner < bars_;
+      add_part({is_pivot ? 3 : static_cast<std::size_t>(port.kind), false}, graph);
+    }
+    std::vector<Vertex> blocks;
+    for (std::size_t b = 0; b < blocks_; ++b) blocks.push_back(add_part({3, false}, graph));
+    std::vector<Vertex> tips;
+    for (std::size_t f = 0; f < tip_.size(); ++f) {
+      tips.push_back(
+          add_part({first_tip() + tip_[f] * tip_.size() + (identical_ ? 0 : f), false}, graph));
+    }
+    for (std::size_t p = 0; p < ports_.size(); ++p) {
+      const bool of_finger = ports_[p].kind == PortKind::strand;
+      boost::add_edge(p, (of_finger ? tips : blocks)[ports_[p].owner], graph);
+      add_tie(p, graph);
+    }
+    if (add_carriages(graph)) classes_.add(std::move(graph));
+  }
+
+  void add_tie(std::size_t p, Graph& graph) const {
+    const auto [partner, part] = ties_[p];
+    if (partner < p) return;
+    if (partner == p) {
+      const std::size_t end = part % kinds_.ends;
+      const Vertex tied = add_part({4 + end, end < kinds_.motor_ends}, graph);
+      add_beside(p, tied, part / kinds_.ends, graph);
+    } else if (are_both(PortKind::strand, p, partner)) {
+      add_join(p, partner, part, graph);
+    } else if (are_both(PortKind::side, p, partner) && part > 0) {
+      add_join(p, partner, part - 1, graph);
+    } else {
+      add_beside(p, partner, part, graph);
+    }
+  }
+
+  void add_join(Vertex a, Vertex b, std::size_t kind, Graph& graph) const {
+    const Vertex join = add_part({first_join() + kind, kind >= kinds_.passive_joins}, graph);
+    boost::add_edge(a, join, graph);
+    boost::add_edge(b, join, graph);
+  }
+
+  void add_beside(Vertex a, Vertex b, std::size_t variant, Graph& graph) const {
+    if (variant > 0) {
+      const std::size_t kind = variant - 1;
+      const Vertex join = add_part({first_beside() + kind, kind >= kinds_.passive_beside}, graph);
+      boost::add_edge(a, join, graph);
+      a = join;
+    }
+    boost::add_edge(a, b, graph);
+  }
+
+  PortParts kinds_;
+  std::size_t blocks_;
+  std::size_t bars_ = 0;  // the first blocks
+  bool identical_;
+  std::vector<std::size_t> tip_;  // kinds, by finger
+  std::vector<Port> ports_;
+  std::vector<Tie> ties_;
+  GraphClasses classes_;
 };
-
-// Small consecutive numbers, as boost::isomorphism asks of a vertex invariant. Distinct fingers
-// differ by the colours of their tips; their two strands stay alike.
-class Palette {
- public:
-  Palette(const PartKinds& kinds, std::size_t fingers, bool identical_fingers)
-      : kinds_(kinds), fingers_(fingers), identical_fingers_(identical_fingers) {}
-
-  static Part strand() { return {0, false}; }
-  Part end(std::size_t kind) const { return {1 + kind, kind < kinds_.motor_ends}; }
-  Part join(std::size_t kind) const {
-    return {1 + kinds_.ends + kind, kind >= kinds_.passive_joins};
-  }
-  Part tip(std::size_t kind, std::size_t finger) const {
-    const std::size_t shown_finger = identical_fingers_ ? 0 : finger;
-    return {first_tip() + kind * fingers_ + shown_finger, false};
-  }
-  std::size_t size() const { return first_tip() + kinds_.tips * fingers_; }
-
- private:
-  std::size_t first_tip() const { return 1 + kinds_.ends + kinds_.joins; }
-
-  PartKinds kinds_;
-  std::size_t fingers_;
-  bool identical_fingers_;
-};
-
-Graph graph_of(const Assignment& assignment, const Palette& palette) {
-  Graph graph;
-  std::vector<Vertex> strands;
-  for (std::size_t finger = 0; finger < assignment.tip_kind.size(); ++finger) {
-    const Vertex tip = add_part(palette.tip(assignment.tip_kind[finger], finger), graph);
-    for (int side = 0; side < 2; ++side) {
-      strands.push_back(add_part(Palette::strand(), graph));
-      boost::add_edge(tip, strands.back(), graph);
-    }
-  }
-  for (std::size_t strand = 0; strand < strands.size(); ++strand) {
-    const std::size_t partner = assignment.partner[strand];
-    const std::size_t kind = assignment.hand_kind[strand];
-    if (partner < strand) continue;  // its join is there already
-    const bool is_end = partner == strand;
-    const Part part = is_end ? palette.end(kind) : palette.join(kind);
-    const Vertex hand = add_part(part, graph);
-    boost::add_edge(hand, strands[strand], graph);
-    if (!is_end) boost::add_edge(hand, strands[partner], graph);
-  }
-  return graph;
-}
 
 }  // namespace
 
-BruteForceCounts brute_force_counts(const CountedParts& parts, int fingers,
-                                    bool identical_fingers) {
-  if (fingers < 1) throw std::invalid_argument("number of fingers is less than 1");
-  const auto n = static_cast<std::size_t>(fingers);
-  const PartKinds kinds = kinds_of(parts);
-  const Palette palette(kinds, n, identical_fingers);
-
-  GraphClasses classes(palette.size());
-  const Visitor visit = [&](const Assignment& assignment) {
-    classes.add(graph_of(assignment, palette));
-  };
-  Enumeration(kinds, n, visit).run();
-  return classes.counts();
+RoutingCounts brute_force_trees(const CountedTreeParts& parts, int fingers, int blocks,
+                                bool identical_fingers) {
+  return Search(port_parts(parts), many(fingers), many(blocks), identical_fingers).run();
 }
 
 }  // namespace reeve::testing

@@ -1,21 +1,22 @@
-// The same counts as counting.hpp, from the definition of a routing and no formula: every
-// assignment of parts is written down as a coloured graph, and isomorphism classes are counted.
+// The same counts as counting.hpp, from the definition of what is generated and no formula.
+//
+// Every way to tie strands, the two sides of each block's pass and each block's tail to each other
+// and to ends is tried; what breaks a rule is thrown away, the rest is written down as a coloured
+// graph, and isomorphism classes are counted.
 #pragma once
-
-#include <cstdint>
 
 #include "tests/support/counting.hpp"
 
 namespace reeve::testing {
 
-struct BruteForceCounts {
-  std::uint64_t all = 0;
-  std::uint64_t actuated = 0;
-  std::uint64_t one_tendon = 0;
-};
+// Meant for up to 3 fingers and 2 blocks. Routings with exactly so many blocks.
+RoutingCounts brute_force_trees(const CountedTreeParts& parts, int fingers, int blocks,
+                                bool identical_fingers);
 
-// Meant for up to 3 fingers: the assignments grow faster than factorially.
-// Throws std::invalid_argument on a negative number of kinds or fingers < 1.
-BruteForceCounts brute_force_counts(const CountedParts& parts, int fingers, bool identical_fingers);
+// Tendons without blocks and anchored tips.
+inline RoutingCounts brute_force_counts(const CountedParts& parts, int fingers,
+                                        bool identical_fingers) {
+  return brute_force_trees({parts}, fingers, 0, identical_fingers);
+}
 
 }  // namespace reeve::testing

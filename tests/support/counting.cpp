@@ -1,13 +1,18 @@
-// A tendon over k fingers is a string of beads in which tips and joins alternate:
+// A tendon that passes a block is two half-walks from it. With t tip, j join kinds, E for what may
+// be at an end (M, F, or the tail of a block with all that hangs on it) and x z for an anchored
+// tip:
 //
-//   path   e t j t j ... j t e    k tips, k - 1 joins, 2 ends
-//   loop   t j t j ... t j (t)    k tips, k joins, closed
+//   half-walk  H = (x z + t z E) / (1 − j t z) + E
+//   block      C = w y [ (H² + swap(H)) / 2 − pairs of bare M, F + loops through the pass ],
+//              w = 2 where it may be a bar
+//   root       M C + t z (E² + swap(E)) / 2 + x z E + linked (C² + swap(C)) / 2
+//                  + ( A² j / (1 − j t z) + swap(A) palindromes ) / 2 + loops,   A = x z + t z E
+//   series     Σ_{q>1} ( H² (y U)^q g^(q−1) + palindromes ) / 2,   g = 1 + j beads between passes,
+//              U = (x z + t z E) / (1 − j t z) + linked C: a tendon from a tail to its other end
 //
-// Swapping the two strands of a finger changes nothing in that string, so strands do not appear
-// below. All part kinds are symmetric: a string read backwards is the same tendon.
-//
-// Symbols: t, j, e are the numbers of tip, join and end kinds, k the fingers of one tendon, n the
-// fingers of the routing.
+// Identical fingers: ordinary series, swap(f)(z, y) = f(z², y²), and the Euler transform of trees.
+// Distinct fingers: exponential series in z, so that only what has no finger equals its reversal,
+// swap(f) = f(0, y²), and the exponential of trees.
 #include "tests/support/counting.hpp"
 
 #include <cstddef>
@@ -16,214 +21,284 @@
 #include <vector>
 
 namespace reeve::testing {
+namespace series {
 namespace {
 
-using Count = std::uint64_t;
+__extension__ using Wide = __int128;
 
-Count add(Count a, Count b) {
-  Count sum = 0;
-  if (__builtin_add_overflow(a, b, &sum)) throw std::overflow_error("count exceeds 64 bits");
-  return sum;
-}
-
-Count multiply(Count a, Count b) {
-  Count product = 0;
-  if (__builtin_mul_overflow(a, b, &product)) throw std::overflow_error("count exceeds 64 bits");
-  return product;
-}
-
-// Every division below is exact in theory; a remainder means that a formula is wrong.
-Count divide_exactly(Count a, Count b) {
-  if (a % b != 0) throw std::logic_error("counting formula left a remainder");
-  return a / b;
-}
-
-// 0^0 = 1: no joins to choose from is no obstacle to a tendon without joins.
-Count power(Count base, Count exponent) {
-  Count result = 1;
-  for (Count i = 0; i < exponent; ++i) result = multiply(result, base);
+std::int64_t narrow(Wide value) {
+  const auto result = static_cast<std::int64_t>(value);
+  if (result != value) throw std::overflow_error("count exceeds 63 bits");
   return result;
 }
 
-Count product(Count a, Count b, Count c) { return multiply(multiply(a, b), c); }
-
-Count factorial(Count k) {
-  Count result = 1;
-  for (Count i = 2; i <= k; ++i) result = multiply(result, i);
+std::int64_t power(std::int64_t base, std::size_t exponent) {
+  std::int64_t result = 1;
+  for (std::size_t i = 0; i < exponent; ++i) result = narrow(Wide{result} * base);
   return result;
 }
 
-// C(n, k) = prod_{i=1..k} (n - k + i) / i; each partial product is itself a binomial.
-Count binomial(Count n, Count k) {
-  Count result = 1;
-  for (Count i = 1; i <= k; ++i) result = divide_exactly(multiply(result, n - k + i), i);
+std::int64_t binomial(std::size_t n, std::size_t k) {
+  std::int64_t result = 1;
+  for (std::size_t i = 1; i <= k; ++i) {
+    result =
+        narrow(Wide{result} * static_cast<std::int64_t>(n - k + i) / static_cast<std::int64_t>(i));
+  }
+  return result;
+}
+
+std::int64_t factorial(std::size_t n) {
+  std::int64_t result = 1;
+  for (std::size_t i = 2; i <= n; ++i) result = narrow(Wide{result} * static_cast<int>(i));
+  return result;
+}
+
+// Coefficients of z^n y^k, or of z^n y^k / n! where fingers are distinct.
+struct Ring {
+  std::size_t fingers;
+  std::size_t blocks;
+  bool identical;
+};
+
+class Series {
+ public:
+  explicit Series(const Ring& ring)
+      : ring_(ring), c_(ring.fingers + 1, std::vector<std::int64_t>(ring.blocks + 1, 0)) {}
+  // value z^n y^k
+  Series(const Ring& ring, std::int64_t value, std::size_t n, std::size_t k) : Series(ring) {
+    if (n > ring.fingers || k > ring.blocks) return;
+    c_[n][k] = ring.identical ? value : narrow(Wide{value} * factorial(n));
+  }
+
+  const Ring& ring() const { return ring_; }
+  std::int64_t& at(std::size_t n, std::size_t k) { return c_[n][k]; }
+  std::int64_t at(std::size_t n, std::size_t k) const { return c_[n][k]; }
+
+  friend Series operator+(Series a, const Series& b) {
+    for (std::size_t n = 0; n < a.c_.size(); ++n)
+      for (std::size_t k = 0; k < a.c_[n].size(); ++k)
+        a.c_[n][k] = narrow(Wide{a.c_[n][k]} + b.c_[n][k]);
+    return a;
+  }
+
+  friend Series operator*(const Series& a, const Series& b) {
+    Series product(a.ring_);
+    for (std::size_t n = 0; n <= a.ring_.fingers; ++n)
+      for (std::size_t m = 0; m <= n; ++m) {
+        const std::int64_t shuffles = a.ring_.identical ? 1 : binomial(n, m);
+        for (std::size_t k = 0; k <= a.ring_.blocks; ++k)
+          for (std::size_t l = 0; l <= k; ++l)
+            product.c_[n][k] = narrow(product.c_[n][k] + narrow(Wide{shuffles} * a.c_[m][l]) *
+                                                             Wide{b.c_[n - m][k - l]});
+      }
+    return product;
+  }
+
+ private:
+  Ring ring_;
+  std::vector<std::vector<std::int64_t>> c_;
+};
+
+Series operator*(std::int64_t factor, const Series& a) {
+  return Series(a.ring(), factor, 0, 0) * a;
+}
+
+// Every halving is exact in theory; a remainder means that a formula is wrong.
+Series half(Series a) {
+  for (std::size_t n = 0; n <= a.ring().fingers; ++n)
+    for (std::size_t k = 0; k <= a.ring().blocks; ++k) {
+      if (a.at(n, k) % 2 != 0) throw std::logic_error("counting formula left a remainder");
+      a.at(n, k) /= 2;
+    }
+  return a;
+}
+
+// What an exchange of two equal halves leaves as it is.
+Series swap(const Series& a) {
+  Series result(a.ring());
+  for (std::size_t n = 0; 2 * n <= a.ring().fingers; ++n)
+    for (std::size_t k = 0; 2 * k <= a.ring().blocks; ++k)
+      if (n == 0 || a.ring().identical) result.at(2 * n, 2 * k) = a.at(n, k);
   return result;
 }
 
 struct Kinds {
-  Count tips;
-  Count joins;
-  Count ends;
+  std::int64_t tips;
+  std::int64_t joins;
+  std::int64_t motors;
+  std::int64_t ends;
+  std::int64_t anchors;
+  bool linked;
+  bool series;
+  bool barred;
 };
 
-// Two equal halves may carry the same choice: x(x + 1)/2 unordered pairs of x kinds.
-Count unordered_pairs(Count kinds) { return divide_exactly(multiply(kinds, add(kinds, 1)), 2); }
-
-// Paths up to reversal, by Burnside over {identity, reversal}:
-//
-//   ( t^k j^(k-1) e^2  +  t^ceil(k/2) j^ceil((k-1)/2) e ) / 2
-//
-// The second term counts palindromes: the beads mirror in pairs, but for the one in the middle.
-Count unlabelled_paths(const Kinds& kinds, Count k) {
-  const Count strings =
-      product(power(kinds.tips, k), power(kinds.joins, k - 1), power(kinds.ends, 2));
-  const Count palindromes =
-      product(power(kinds.tips, (k + 1) / 2), power(kinds.joins, k / 2), kinds.ends);
-  return divide_exactly(add(strings, palindromes), 2);
+// 1 / (1 − j t z): fingers with a join behind each.
+Series chains(const Ring& ring, const Kinds& kinds) {
+  Series sum(ring);
+  for (std::size_t n = 0; n <= ring.fingers; ++n)
+    sum = sum + Series(ring, power(kinds.joins * kinds.tips, n), n, 0);
+  return sum;
 }
 
-// Strings fixed by the k rotations. Turning by r fingers has gcd(k, r) cycles on the tips and as
-// many on the joins; by totients it is sum_{d | k} phi(d) (t j)^(k/d), here summed over r itself.
-Count fixed_by_rotations(const Kinds& kinds, Count k) {
-  const Count tip_and_join = multiply(kinds.tips, kinds.joins);
-  Count fixed = 0;
-  for (Count r = 0; r < k; ++r) fixed = add(fixed, power(tip_and_join, std::gcd(k, r)));
-  return fixed;
-}
-
-// Strings fixed by the k reflections. An axis meets the loop of 2k beads in two opposite beads.
-//
-//   k odd:  opposite beads are a tip and a join,    k axes:    t^((k+1)/2) j^((k+1)/2) each
-//   k even: opposite beads are two tips,          k/2 axes:    t^(k/2+1)   j^(k/2)     each
-//                              or two joins,      k/2 axes:    t^(k/2)     j^(k/2+1)   each
-//
-// These hold for k = 1 and k = 2 too, as long as the group is taken with 2k elements. For k = 1 the
-// reflection is walking the loop backwards, which fixes both beads: (tj + tj)/2 = tj. For k = 2 the
-// two reflections exchange only the joins and only the tips.
-Count fixed_by_reflections(const Kinds& kinds, Count k) {
-  const Count half = k / 2;
-  if (k % 2 == 1) return product(k, power(kinds.tips, half + 1), power(kinds.joins, half + 1));
-  const Count through_tips = product(half, power(kinds.tips, half + 1), power(kinds.joins, half));
-  const Count through_joins = product(half, power(kinds.tips, half), power(kinds.joins, half + 1));
-  return add(through_tips, through_joins);
-}
-
-// Loops up to the dihedral group of 2k elements, by Burnside: mean number of fixed strings.
-Count unlabelled_loops(const Kinds& kinds, Count k) {
-  const Count fixed = add(fixed_by_rotations(kinds, k), fixed_by_reflections(kinds, k));
-  return divide_exactly(fixed, multiply(2, k));
-}
-
-// Paths over k numbered fingers up to reversal. For k >= 2 no string equals its reverse, since the
-// numbers differ: k!/2 t^k j^(k-1) e^2. For k = 1 reversal only exchanges the ends: t e(e+1)/2.
-Count labelled_paths(const Kinds& kinds, Count k) {
-  if (k == 1) return multiply(kinds.tips, unordered_pairs(kinds.ends));
-  const Count orders = divide_exactly(factorial(k), 2);
-  return multiply(orders,
-                  product(power(kinds.tips, k), power(kinds.joins, k - 1), power(kinds.ends, 2)));
-}
-
-// Loops over k numbered fingers up to rotation and reflection. For k >= 3 none of the 2k symmetries
-// but the identity keeps every number in place: k!/(2k) t^k j^k. Otherwise some do:
-//   k = 1: there is one cyclic order, and both symmetries fix tip and join: t j;
-//   k = 2: the reflection through both tips exchanges the joins between them: t^2 j(j+1)/2.
-Count labelled_loops(const Kinds& kinds, Count k) {
-  if (k == 1) return multiply(kinds.tips, kinds.joins);
-  if (k == 2) return multiply(power(kinds.tips, 2), unordered_pairs(kinds.joins));
-  const Count orders = divide_exactly(factorial(k - 1), 2);
-  return product(orders, power(kinds.tips, k), power(kinds.joins, k));
-}
-
-// Element k is the number of single tendons over exactly k fingers; element 0 is unused.
-using Tendons = std::vector<Count>;
-using TendonCounter = Count (*)(const Kinds&, Count k);
-
-Tendons tendons_up_to(std::size_t n, const Kinds& kinds, TendonCounter paths, TendonCounter loops) {
-  Tendons tendons(n + 1, 0);
-  for (std::size_t k = 1; k <= n; ++k) tendons[k] = add(paths(kinds, k), loops(kinds, k));
-  return tendons;
-}
-
-// Multisets of tendons with n fingers in all, b_k tendons having k fingers: the Euler transform
-//
-//   sum_n a_n x^n = prod_k (1 - x^k)^(-b_k)
-//
-// whose logarithmic derivative gives  n a_n = sum_{k=1..n} c_k a_{n-k},  c_k = sum_{d | k} d b_d.
-Count multisets(const Tendons& b) {
-  const std::size_t n = b.size() - 1;
-  std::vector<Count> c(n + 1, 0);
-  for (std::size_t d = 1; d <= n; ++d)
-    for (std::size_t k = d; k <= n; k += d) c[k] = add(c[k], multiply(d, b[d]));
-
-  std::vector<Count> a(n + 1, 0);
-  a[0] = 1;
-  for (std::size_t m = 1; m <= n; ++m) {
-    Count sum = 0;
-    for (std::size_t k = 1; k <= m; ++k) sum = add(sum, multiply(c[k], a[m - k]));
-    a[m] = divide_exactly(sum, m);
+// Walks of m fingers that leave a pass and come back to it, up to reversal.
+Series loops_through_pass(const Ring& ring, const Kinds& kinds) {
+  Series sum(ring);
+  for (std::size_t m = 1; m <= ring.fingers; ++m) {
+    const Series all(ring, narrow(Wide{power(kinds.tips, m)} * power(kinds.joins, m - 1)), m, 0);
+    const std::int64_t same = power(kinds.tips, (m + 1) / 2) * power(kinds.joins, m / 2);
+    Series palindromes(ring);
+    if (ring.identical || m == 1) palindromes.at(m, 0) = same;
+    sum = sum + half(all + palindromes);
   }
-  return a[n];
+  return sum;
 }
 
-// Sets of tendons on n numbered fingers: the exponential formula  sum_n a_n x^n/n! =
-// exp(sum_k b_k x^k/k!). The tendon of the last finger takes k - 1 of the other n - 1 with it:
-//
-//   a_n = sum_{k=1..n} C(n-1, k-1) b_k a_{n-k}
-Count labelled_sets(const Tendons& b) {
-  const std::size_t n = b.size() - 1;
-  std::vector<Count> a(n + 1, 0);
-  a[0] = 1;
-  for (std::size_t m = 1; m <= n; ++m)
-    for (std::size_t k = 1; k <= m; ++k)
-      a[m] = add(a[m], product(binomial(m - 1, k - 1), b[k], a[m - k]));
-  return a[n];
+Series blocks(const Ring& ring, const Kinds& kinds) {
+  const Series z(ring, 1, 1, 0);
+  const Series chain = chains(ring, kinds);
+  Series below(ring);
+  for (std::size_t k = 0; k <= ring.blocks; ++k) {  // each round gets one power of y right
+    const Series end = Series(ring, kinds.ends, 0, 0) + below;
+    const Series walk = (kinds.anchors * z + kinds.tips * (z * end)) * chain + end;
+    const Series bare(ring, -kinds.ends * (kinds.ends + 1) / 2, 0, 0);
+    below = Series(ring, kinds.barred ? 2 : 1, 0, 1) *
+            (half(walk * walk + swap(walk)) + bare + loops_through_pass(ring, kinds));
+  }
+  return below;
 }
 
-Count checked(int kinds) {
-  if (kinds < 0) throw std::invalid_argument("number of part kinds is negative");
-  return static_cast<Count>(kinds);
+// Of an open root of two or more fingers, what reads the same both ways.
+Series palindromes(const Ring& ring, const Kinds& kinds, const Series& last) {
+  Series sum(ring);
+  if (!ring.identical) return sum;
+  for (std::size_t m = 2; m <= ring.fingers; ++m) {
+    const std::int64_t beads = power(kinds.joins, m / 2) * power(kinds.tips, (m - 1) / 2);
+    sum = sum + swap(last) * Series(ring, beads, m - 2, 0);
+  }
+  return sum;
 }
 
-std::size_t checked_fingers(int fingers) {
-  if (fingers < 1) throw std::invalid_argument("number of fingers is less than 1");
-  return static_cast<std::size_t>(fingers);
+std::int64_t loops(const Ring& ring, const Kinds& kinds, std::size_t m) {
+  const std::int64_t both = kinds.tips * kinds.joins;
+  const auto size = static_cast<std::int64_t>(m);
+  if (!ring.identical) {
+    if (m == 1) return both;
+    if (m == 2) return kinds.tips * kinds.tips * kinds.joins * (kinds.joins + 1) / 2;
+    return narrow(Wide{power(both, m)} * (factorial(m - 1) / 2));
+  }
+  std::int64_t fixed = 0;
+  for (std::size_t r = 0; r < m; ++r) fixed += power(both, std::gcd(r, m));
+  for (std::size_t r = 0; r < m; ++r) {  // reflections, by the tips and joins that each leaves
+    const bool through_tips = m % 2 == 1 || r % 2 == 0;
+    const std::size_t tips = m / 2 + (through_tips ? 1 : 0);
+    fixed += power(kinds.tips, tips) * power(kinds.joins, m % 2 == 1 ? tips : m + 1 - tips);
+  }
+  if (fixed % (2 * size) != 0) throw std::logic_error("counting formula left a remainder");
+  return fixed / (2 * size);
 }
 
-Kinds all_kinds(const CountedParts& parts) {
-  return {checked(parts.tube_like_tips),
-          add(checked(parts.passive_joins), checked(parts.motor_joins)),
-          add(checked(parts.motor_ends), checked(parts.fixed_ends))};
+Series raised(const Series& base, std::size_t exponent) {
+  Series result(base.ring(), 1, 0, 0);
+  for (std::size_t i = 0; i < exponent; ++i) result = result * base;
+  return result;
 }
 
-Kinds kinds_without_motor(const CountedParts& parts) {
-  return {checked(parts.tube_like_tips), checked(parts.passive_joins), checked(parts.fixed_ends)};
+// Roots that pass two blocks or more, by what hangs on these and at their own ends.
+Series roots_in_series(const Ring& ring, const Kinds& kinds, const Series& below) {
+  const Series z(ring, 1, 1, 0);
+  const Series end = Series(ring, kinds.ends, 0, 0) + below;
+  const Series fingers = (kinds.anchors * z + kinds.tips * (z * end)) * chains(ring, kinds);
+  const Series walk = fingers + end;
+  const Series pass = Series(ring, 1, 0, 1) * (kinds.linked ? fingers + below : fingers);
+  Series sum(ring);
+  for (std::size_t q = 2; q <= ring.blocks; ++q) {
+    const Series all = power(1 + kinds.joins, q - 1) * (walk * walk * raised(pass, q));
+    const Series middle = q % 2 == 0 ? Series(ring, 1, 0, 0) : pass;
+    const Series same =
+        power(1 + kinds.joins, q / 2) * (swap(walk) * raised(swap(pass), q / 2) * middle);
+    sum = sum + half(all + same);
+  }
+  return sum;
 }
 
-// A tendon is not actuated exactly when all its joins and ends are without motor, and a symmetry
-// never changes that: actuated tendons are all tendons less those made of the motorless kinds.
-Tendons difference(const Tendons& all, const Tendons& without_motor) {
-  Tendons actuated(all.size(), 0);
-  for (std::size_t k = 1; k < all.size(); ++k) actuated[k] = all[k] - without_motor[k];
-  return actuated;
+Series trees(const Ring& ring, const Kinds& kinds) {
+  const Series z(ring, 1, 1, 0);
+  const Series below = blocks(ring, kinds);
+  const Series end = Series(ring, kinds.ends, 0, 0) + below;
+  const Series last = kinds.anchors * z + kinds.tips * (z * end);
+  Series sum = kinds.motors * below;
+  sum = sum + kinds.tips * (z * half(end * end + swap(end))) + kinds.anchors * (z * end);
+  if (kinds.linked) sum = sum + half(below * below + swap(below));
+  if (kinds.series) sum = sum + roots_in_series(ring, kinds, below);
+  sum = sum +
+        half(kinds.joins * (last * last * chains(ring, kinds)) + palindromes(ring, kinds, last));
+  for (std::size_t m = 1; m <= ring.fingers; ++m) {
+    Series closed(ring);
+    closed.at(m, 0) = loops(ring, kinds, m);
+    sum = sum + closed;
+  }
+  return sum;
 }
 
-RoutingCounts count(const CountedParts& parts, int fingers, TendonCounter paths,
-                    TendonCounter loops, Count (*collections)(const Tendons&)) {
-  const std::size_t n = checked_fingers(fingers);
-  const Tendons all = tendons_up_to(n, all_kinds(parts), paths, loops);
-  const Tendons actuated =
-      difference(all, tendons_up_to(n, kinds_without_motor(parts), paths, loops));
-  return {collections(all), collections(actuated), actuated[n]};
+// n a = Σ c(m,l) a(n−m, k−l), c(m,l) = Σ_{d | m, l} (m/d) b(m/d, l/d): the logarithmic derivative
+// of Π (1 − z^m y^l)^−b(m,l).
+Series multisets(const Series& b) {
+  const Ring& ring = b.ring();
+  Series c(ring);
+  for (std::size_t m = 1; m <= ring.fingers; ++m)
+    for (std::size_t l = 0; l <= ring.blocks; ++l)
+      for (std::size_t d = 1; d * m <= ring.fingers && d * l <= ring.blocks; ++d)
+        c.at(d * m, d * l) += static_cast<std::int64_t>(m) * b.at(m, l);
+  Series a(ring, 1, 0, 0);
+  for (std::size_t n = 1; n <= ring.fingers; ++n)
+    for (std::size_t k = 0; k <= ring.blocks; ++k) {
+      Wide sum = 0;
+      for (std::size_t m = 1; m <= n; ++m)
+        for (std::size_t l = 0; l <= k; ++l) sum += Wide{c.at(m, l)} * a.at(n - m, k - l);
+      if (sum % static_cast<int>(n) != 0) throw std::logic_error("a remainder was left");
+      a.at(n, k) = narrow(sum / static_cast<int>(n));
+    }
+  return a;
+}
+
+// Exponential of the trees: the tree of the last finger takes m − 1 of the others with it.
+Series labelled_sets(const Series& b) {
+  const Ring& ring = b.ring();
+  Series a(ring, 1, 0, 0);
+  for (std::size_t n = 1; n <= ring.fingers; ++n)
+    for (std::size_t m = 1; m <= n; ++m)
+      for (std::size_t k = 0; k <= ring.blocks; ++k)
+        for (std::size_t l = 0; l <= k; ++l)
+          a.at(n, k) = narrow(a.at(n, k) + narrow(Wide{binomial(n - 1, m - 1)} * b.at(m, l)) *
+                                               Wide{a.at(n - m, k - l)});
+  return a;
 }
 
 }  // namespace
+}  // namespace series
 
-RoutingCounts count_identical(const CountedParts& parts, int fingers) {
-  return count(parts, fingers, unlabelled_paths, unlabelled_loops, multisets);
-}
-
-RoutingCounts count_distinct(const CountedParts& parts, int fingers) {
-  return count(parts, fingers, labelled_paths, labelled_loops, labelled_sets);
+RoutingCounts count_trees(const CountedTreeParts& counted, int fingers, int blocks,
+                          bool identical_fingers) {
+  const CountedParts& parts = counted.parts;
+  const auto n = static_cast<std::size_t>(fingers);
+  const auto k = static_cast<std::size_t>(blocks);
+  const series::Ring ring{n, k, identical_fingers};
+  const std::int64_t anchors = counted.anchored ? 1 : 0;
+  const int joins = parts.passive_joins + parts.motor_joins;
+  const int ends = parts.motor_ends + parts.fixed_ends;
+  const auto trees_with = [&](int with_joins, int motor_ends, int with_ends) {
+    return series::trees(ring, {parts.tube_like_tips, with_joins, motor_ends, with_ends, anchors,
+                                counted.linked, counted.series, counted.barred});
+  };
+  const auto all = trees_with(joins, parts.motor_ends, ends);
+  const auto passive = trees_with(parts.passive_joins, 0, parts.fixed_ends);
+  const auto actuated = all + (-1) * passive;
+  const auto routings = [&](const series::Series& trees) {
+    const auto sets = identical_fingers ? series::multisets(trees) : series::labelled_sets(trees);
+    return static_cast<std::uint64_t>(sets.at(n, k));
+  };
+  return {routings(all), routings(actuated), static_cast<std::uint64_t>(actuated.at(n, k))};
 }
 
 }  // namespace reeve::testing

@@ -1,4 +1,5 @@
-// How many routings a set of parts allows, from counting formulas alone.
+// How many routings a set of parts allows, with anchored tips and floating blocks or without, from
+// power series alone: z marks fingers, y marks blocks.
 //
 // Nothing is enumerated here and nothing of the generator is used: these numbers are what the
 // generator is tested against.
@@ -17,18 +18,35 @@ struct CountedParts {
   int fixed_ends = 0;      // end kinds at the hand: F
 };
 
-struct RoutingCounts {
-  std::uint64_t all = 0;         // every routing
-  std::uint64_t actuated = 0;    // those whose every tendon touches the motor
-  std::uint64_t one_tendon = 0;  // actuated routings that are a single tendon
+struct CountedTreeParts {
+  CountedParts parts;
+  bool anchored = false;  // a tendon may be tied at a fingertip
+  bool linked = false;    // two tails may be tied to each other
+  bool series = false;    // a root may pass several blocks
+  bool barred = false;    // all blocks but those in series may be bars
+  // Brute force only:
+  int motors = 1;          // of several, each pulls something
+  int passive_beside = 0;  // kinds of joins that may stand beside an end or a tail
+  int motor_beside = 0;
 };
 
-// Fingers may be renamed: routings that differ only by that are one.
-// Throws std::invalid_argument on a negative number of kinds or fingers < 1, std::overflow_error
-// when a number in between does not fit 64 bits.
-RoutingCounts count_identical(const CountedParts& parts, int fingers);
+struct RoutingCounts {
+  std::uint64_t all = 0;         // every routing
+  std::uint64_t actuated = 0;    // those whose every tree touches the motor
+  std::uint64_t one_tendon = 0;  // actuated routings that are a single tree
+};
 
-// Fingers carry their numbers. Throws as count_identical does.
-RoutingCounts count_distinct(const CountedParts& parts, int fingers);
+// Routings with exactly so many blocks. Identical fingers may be renamed: routings that differ only
+// by that are one. Throws std::overflow_error when a number in between does not fit 64 bits.
+RoutingCounts count_trees(const CountedTreeParts& parts, int fingers, int blocks,
+                          bool identical_fingers);
+
+// Tendons without blocks and anchored tips.
+inline RoutingCounts count_identical(const CountedParts& parts, int fingers) {
+  return count_trees({parts}, fingers, 0, true);
+}
+inline RoutingCounts count_distinct(const CountedParts& parts, int fingers) {
+  return count_trees({parts}, fingers, 0, false);
+}
 
 }  // namespace reeve::testing

@@ -58,7 +58,7 @@ bool same_routing(const Graph& a, const Graph& b, std::size_t colours) {
                             ColourOf{&a}, ColourOf{&b}, colours, index_a, index_b);
 }
 
-void count_class(Graph graph, BruteForceCounts& counts) {
+void count_class(Graph graph, RoutingCounts& counts) {
   std::size_t carriages = 0;
   for (Vertex v = 0; v < boost::num_vertices(graph); ++v) {
     if (!graph[v].carriage) continue;

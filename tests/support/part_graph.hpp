@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "tests/support/brute_force.hpp"
+#include "tests/support/counting.hpp"
 
 namespace reeve::testing {
 
@@ -30,12 +30,12 @@ class GraphClasses {
 
   // Counts it unless one like it was there before.
   void add(Graph graph);
-  const BruteForceCounts& counts() const { return counts_; }
+  const RoutingCounts& counts() const { return counts_; }
 
  private:
   std::size_t colours_;
   std::map<std::size_t, std::vector<Graph>> representatives_;
-  BruteForceCounts counts_;
+  RoutingCounts counts_;
 };
 
 }  // namespace reeve::testing
