@@ -6,20 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 #include <string>
 
 #include "tests/causes/rig.hpp"
-#include "tests/support/reference_model.hpp"
+#include "tests/support/reference_words.hpp"
 
 namespace reeve {
 namespace {
 
 using testing::Dice;
 using testing::effect;
-using testing::ReferenceDirection;
-using testing::ReferenceHardware;
 using testing::ReferenceResult;
 using testing::Solved;
 using testing::Trial;
@@ -74,9 +70,9 @@ struct Law {
   double drag = 0;     // N
   double motor_N = 10;
 
-  double exponent(ContactKind kind, double nominal, double high) const {
+  double exponent(const std::string& kind, double nominal, double high) const {
     const double T = high * motor_N;
-    if (kind == ContactKind::bearing) return with_force(nominal, T, drag);
+    if (kind == "bearing") return with_force(nominal, T, drag);
     return with_force(nominal * std::pow(T / 10, -gamma), T, bending);
   }
   static double with_force(double phi, double high, double force) {
@@ -85,67 +81,27 @@ struct Law {
   }
 };
 
-using ContactName = std::pair<std::string, std::string>;
-
-std::set<int> held(const Trial& trial) {
-  const std::vector<int> fingers = held_fingers(trial.grasp);
-  return {fingers.begin(), fingers.end()};
-}
-
-template <typename Visit>
-void for_each_contact(const Network& network, Visit visit) {
-  for (const TendonSpan& tendon : network.tendons) {
-    for (std::size_t k = 0; k < tendon.contacts; ++k) {
-      const auto [left, right] = ends_of(tendon, k);
-      visit(tendon.first_contact + k, ContactName{segment_name(network.segments[left]),
-                                                  segment_name(network.segments[right])});
-    }
-  }
-}
-
-ReferenceHardware reference_hardware(const Trial& trial, const Mechanics& m,
-                                     const std::map<ContactName, double>& phi) {
-  ReferenceHardware hardware{};
-  hardware.phi_override = [phi](const std::string& left, const std::string& right, double) {
-    return phi.at({left, right});
-  };
-  std::map<std::string, double> length;
-  for (std::size_t i = 0; i < m.length.size(); ++i) {
-    length[segment_name(trial.network.segments[i])] = m.length[i];
-  }
-  hardware.length_override = [length](const std::string& segment, double) {
-    return length.at(segment);
-  };
-  for (int f = 1; f <= trial.network.fingers; ++f) {
-    hardware.closing_weight[f] = m.closing[static_cast<std::size_t>(f - 1)];
-  }
-  return hardware;
-}
-
 // Tensions and exponents in turn, half a step at a time.
 ReferenceResult reference(const Trial& trial, const Mechanics& m, const Law& law) {
-  std::map<ContactName, double> phi;
-  for_each_contact(trial.network, [&](std::size_t k, const ContactName& contact) {
-    phi[contact] = law.exponent(trial.network.contacts[k].kind, m.phi[k], 1);
-  });
-  const auto direction =
-      trial.direction == Direction::pull ? ReferenceDirection::pull : ReferenceDirection::release;
-  ReferenceResult result{};
+  const testing::ExponentsByName nominal = testing::exponents_by_name(trial.network, m);
+  testing::ExponentsByName phi = nominal;
   for (int step = 0; step < 100; ++step) {
-    result = testing::reference_tensions(to_word(trial.routing), held(trial), direction,
-                                         reference_hardware(trial, m, phi));
+    const ReferenceResult result =
+        testing::reference_tensions(to_word(trial.routing), trial.grasp, trial.direction,
+                                    testing::reference_hardware(trial.network, m, phi));
     double change = 0;
-    for_each_contact(trial.network, [&](std::size_t k, const ContactName& contact) {
+    for (const testing::ReferenceContact& contact : result.contacts) {
+      const testing::ContactName name{contact.left, contact.right};
       const double high =
-          std::max(result.tension.at(contact.first), result.tension.at(contact.second));
-      const double wanted = law.exponent(trial.network.contacts[k].kind, m.phi[k], high);
-      change = std::max(change, std::abs(wanted - phi[contact]));
-      phi[contact] += 0.5 * (wanted - phi[contact]);
-    });
+          std::max(result.tension.at(contact.left), result.tension.at(contact.right));
+      const double wanted = law.exponent(contact.kind, nominal.at(name), high);
+      change = std::max(change, std::abs(wanted - phi.at(name)));
+      phi.at(name) += 0.5 * (wanted - phi.at(name));
+    }
     if (change < 1e-9) return result;
   }
   ADD_FAILURE() << "the reference does not settle";
-  return result;
+  return {};
 }
 
 TEST(ModelSolver, AgreesWithAnIndependentSolverInAnOuterIteration) {

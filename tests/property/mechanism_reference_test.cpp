@@ -11,47 +11,17 @@
 
 #include "core/notation.hpp"
 #include "core/tension/tension.hpp"
-#include "tests/property/observed_state.hpp"
 #include "tests/search/generated.hpp"
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/random_routing.hpp"
 #include "tests/support/reference_comparison.hpp"
+#include "tests/support/reference_words.hpp"
 
 namespace reeve {
 namespace {
 
 using testing::Dice;
-using testing::ReferenceDirection;
 using testing::ReferenceHardware;
-
-// The numbers of the reference model for the contacts and segments of a network.
-Mechanics mechanics_of(const Network& network, const ReferenceHardware& hardware) {
-  Hardware plain;
-  plain.tube = {hardware.tube.mu, hardware.tube.angle};
-  plain.bearing = {hardware.bearing.mu, hardware.bearing.angle};
-  plain.sheath = {hardware.sheath.mu, hardware.sheath.angle};
-  if (hardware.block) plain.block = ContactLaw{hardware.block->mu, hardware.block->angle};
-  plain.strand_mm = hardware.strand_length;
-  plain.motor_side_mm = hardware.motor_side_length;
-  plain.hand_mm = hardware.hand_length;
-  Mechanics m = mechanics(network, plain);
-  for (const TendonSpan& tendon : network.tendons) {
-    for (std::size_t k = 0; hardware.phi_override && k < tendon.contacts; ++k) {
-      const std::size_t contact = tendon.first_contact + k;
-      if (network.contacts[contact].kind == ContactKind::bar) continue;
-      const auto [left, right] = testing::name_of(network, tendon, k);
-      m.phi[contact] = hardware.phi_override(left, right, m.phi[contact]);
-      m.decay[contact] = std::exp(-m.phi[contact]);
-    }
-  }
-  for (std::size_t i = 0; hardware.length_override && i < network.segments.size(); ++i) {
-    m.length[i] = hardware.length_override(segment_name(network.segments[i]), m.length[i]);
-  }
-  for (const auto& [finger, weight] : hardware.closing_weight) {
-    if (finger <= network.fingers) m.closing[static_cast<std::size_t>(finger) - 1] = weight;
-  }
-  return m;
-}
 
 std::uint64_t trials() {
   const char* wanted = std::getenv("REEVE_MECHANISMS");
@@ -92,17 +62,14 @@ TEST(ReferenceProperty, TreesAndTacklesAreThoseOfAnIndependentSolver) {
     const ReferenceHardware hardware = testing::random_reference_hardware(dice, word);
     const Network network = expand(parse_routing(word));
     const Grasp grasp = testing::random_grasp(dice, network.fingers);
-    const bool pull = dice.chance(0.7);
+    const Direction direction = dice.chance(0.7) ? Direction::pull : Direction::release;
     SCOPED_TRACE(std::to_string(seed) + ": " + word + ", held " + to_text(grasp) +
-                 (pull ? ", pulled" : ", released"));
-    const std::vector<int> held = held_fingers(grasp);
-    const Mechanics m = mechanics_of(network, hardware);
+                 (direction == Direction::pull ? ", pulled" : ", released"));
+    const Mechanics m = testing::mechanics_of(network, hardware);
     TensionState state;
-    TensionSolver().solve(network, m, grasp, pull ? Direction::pull : Direction::release, state);
+    TensionSolver().solve(network, m, grasp, direction, state);
     const auto reference = [&] {
-      return testing::reference_tensions(
-          word, {held.begin(), held.end()},
-          pull ? ReferenceDirection::pull : ReferenceDirection::release, hardware);
+      return testing::reference_tensions(word, grasp, direction, hardware);
     };
     if (!state.in_range) {
       // A finger would have to open, or blocks move as they like; or a rope that shares blocks with
@@ -115,7 +82,7 @@ TEST(ReferenceProperty, TreesAndTacklesAreThoseOfAnIndependentSolver) {
       }
       continue;
     }
-    seen.released += !pull;
+    seen.released += direction == Direction::release;
     count(network, state, seen);
     const auto expected = reference();
     EXPECT_EQ(testing::disagreement(word, expected, testing::observed(network, m, state)), "");
@@ -162,12 +129,10 @@ TEST(ReferenceProperty, LinkedBlocksSeriesAndBarsAreThoseOfAnIndependentSolver) 
         const Network network = expand(routing);
         const Grasp grasp = testing::random_grasp(dice, fingers);
         SCOPED_TRACE(word + ", held " + to_text(grasp));
-        const std::vector<int> held = held_fingers(grasp);
-        const Mechanics m = mechanics_of(network, hardware);
+        const Mechanics m = testing::mechanics_of(network, hardware);
         TensionState state;
         TensionSolver().solve(network, m, grasp, Direction::pull, state);
-        const auto expected = testing::reference_tensions(word, {held.begin(), held.end()},
-                                                          ReferenceDirection::pull, hardware);
+        const auto expected = testing::reference_tensions(word, grasp, Direction::pull, hardware);
         EXPECT_EQ(testing::disagreement(word, expected, testing::observed(network, m, state),
                                         {.tension = 1e-9}),
                   "");

@@ -3,67 +3,24 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
 #include <string>
 
 #include "core/notation.hpp"
 #include "core/tension/tension.hpp"
-#include "tests/property/observed_state.hpp"
 #include "tests/support/random_routing.hpp"
 #include "tests/support/reference_comparison.hpp"
-#include "tests/support/reference_model.hpp"
+#include "tests/support/reference_words.hpp"
 
 namespace reeve {
 namespace {
 
-using testing::ReferenceDirection;
-using testing::ReferenceHardware;
 using testing::ReferenceResult;
 using testing::Trial;
 
-using testing::ContactName;
-
-std::map<ContactName, double> exponents_by_name(const Network& network, const Mechanics& m) {
-  std::map<ContactName, double> phi;
-  for (const TendonSpan& tendon : network.tendons) {
-    for (std::size_t k = 0; k < tendon.contacts; ++k) {
-      phi[testing::name_of(network, tendon, k)] = m.phi[tendon.first_contact + k];
-    }
-  }
-  return phi;
-}
-
-std::map<std::string, double> lengths_by_name(const Network& network, const Mechanics& m) {
-  std::map<std::string, double> length;
-  for (std::size_t i = 0; i < network.segments.size(); ++i) {
-    length[segment_name(network.segments[i])] = m.length[i];
-  }
-  return length;
-}
-
-ReferenceHardware reference_hardware(const Network& network, const Mechanics& m) {
-  ReferenceHardware hardware{};
-  const auto phi = exponents_by_name(network, m);
-  const auto length = lengths_by_name(network, m);
-  hardware.phi_override = [phi](const std::string& left, const std::string& right, double) {
-    return phi.at({left, right});
-  };
-  hardware.length_override = [length](const std::string& segment, double) {
-    return length.at(segment);
-  };
-  for (int f = 1; f <= network.fingers; ++f) {
-    hardware.closing_weight[f] = m.closing[static_cast<std::size_t>(f - 1)];
-  }
-  return hardware;
-}
-
 ReferenceResult reference(const Trial& trial, const Mechanics& m) {
-  const std::vector<int> held = held_fingers(trial.grasp);
   return testing::reference_tensions(
-      to_word(trial.routing), std::set<int>(held.begin(), held.end()),
-      trial.direction == Direction::pull ? ReferenceDirection::pull : ReferenceDirection::release,
-      reference_hardware(trial.network, m));
+      to_word(trial.routing), trial.grasp, trial.direction,
+      testing::reference_hardware(trial.network, m, testing::exponents_by_name(trial.network, m)));
 }
 
 struct Seen {

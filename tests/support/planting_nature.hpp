@@ -25,9 +25,6 @@
 
 namespace reeve::testing {
 
-// Its two segments, in walk order.
-using ContactName = std::pair<std::string, std::string>;
-
 // Of one reading. What is not known does not act.
 struct Condition {
   std::string word;

@@ -130,7 +130,7 @@ class TreeCheck {
                          tree_.hangs.row(i).dot(state_.z));
   }
   Real size(Index i) const {
-    return tree_.c(i) * (tree_.length(i) * state_.tension(i) + tree_.elastic(i) +
+    return tree_.c(i) * (tree_.length(i) * state_.tension(i) + std::abs(tree_.elastic(i)) +
                          tree_.hangs.row(i).cwiseAbs().dot(state_.z.cwiseAbs()));
   }
 
