@@ -66,11 +66,10 @@ std::vector<std::string> words_of(const Experiment& experiment) {
 std::vector<int> sheathed_fingers(const Experiment& experiment) {
   std::set<int> fingers;
   for (const std::string& word : words_of(experiment)) {
-    for (const Walk& walk : walks_of(word)) {
-      for (std::size_t k = 0; k < walk.links.size(); ++k) {
-        const std::string& left = walk.segments[k];
-        const std::string& right = walk.segments[(k + 1) % walk.segments.size()];
-        if (is_motor_side(left) == is_motor_side(right)) continue;
+    for (const reference::Tendon& tendon : reference::read_tendons(word)) {
+      for (std::size_t k = 0; k < tendon.kinds.size(); ++k) {
+        if (tendon.kinds[k] != "sheath") continue;
+        const auto [left, right] = tendon.sides(k);
         fingers.insert(std::max(finger_of_strand(left), finger_of_strand(right)));
       }
     }

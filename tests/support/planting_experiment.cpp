@@ -199,9 +199,11 @@ Condition random_grasp(const std::string& word, const Habits& habits, NominalRat
 
 std::vector<std::string> sensors_of(const std::string& word, bool motor_side) {
   std::vector<std::string> segments;
-  for (const Walk& walk : walks_of(word)) {
-    for (const std::string& segment : walk.segments) {
-      if (is_strand(segment) || (motor_side && is_motor_side(segment))) segments.push_back(segment);
+  for (const reference::Tendon& tendon : reference::read_tendons(word)) {
+    for (const reference::Segment& segment : tendon.segments) {
+      const bool is_read = segment.place == reference::Place::strand ||
+                           (motor_side && segment.place == reference::Place::motor_side);
+      if (is_read) segments.push_back(segment.name);
     }
   }
   return segments;

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/support/planting_walk.hpp"
+#include "tests/support/reference_walk.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -26,10 +26,8 @@ MountingName mounting_of(const ExperimentRow& row) { return {row.run, row.condit
 
 std::vector<ContactName> contacts_of(const std::string& word) {
   std::vector<ContactName> contacts;
-  for (const Walk& walk : walks_of(word)) {
-    for (std::size_t k = 0; k < walk.links.size(); ++k) {
-      contacts.emplace_back(walk.segments[k], walk.segments[(k + 1) % walk.segments.size()]);
-    }
+  for (const reference::Tendon& tendon : reference::read_tendons(word)) {
+    for (std::size_t k = 0; k < tendon.kinds.size(); ++k) contacts.push_back(tendon.sides(k));
   }
   return contacts;
 }

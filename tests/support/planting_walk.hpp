@@ -1,37 +1,30 @@
-// The segments and contacts of a walk, in order, for planting only.
+// What planting asks of words and of the names of segments.
 #pragma once
 
-#include <cstddef>
 #include <set>
 #include <string>
-#include <vector>
+
+#include "tests/support/reference_walk.hpp"
 
 namespace reeve::testing {
 
-enum class LinkKind { tip, join, end_sheath, sheath_before_pulley, pulley, sheath_after_pulley };
+inline bool is_strand(const std::string& segment) { return segment[0] == 'T'; }
 
-// Contact k lies between segments k and k + 1; a loop's last one leads back to the first.
-struct Link {
-  LinkKind kind;
-  std::size_t token;
-};
+inline bool is_motor_side(const std::string& segment) { return segment.size() == 1; }
 
-struct Walk {
-  std::vector<std::string> tokens;
-  std::vector<std::string> segments;
-  std::vector<Link> links;
-  bool loop = false;
+// 0 if it is none.
+inline int finger_of_strand(const std::string& segment) {
+  return is_strand(segment) ? (std::stoi(segment.substr(1)) + 1) / 2 : 0;
+}
 
-  std::string link_name(std::size_t k) const;
-};
+inline std::set<int> fingers_of(const std::string& word) {
+  std::set<int> fingers;
+  for (reference::Tendon& tendon : reference::read_tendons(word)) fingers.merge(tendon.fingers);
+  return fingers;
+}
 
-// One for each tendon; motor-side letters and hand numbers count over all of them.
-std::vector<Walk> walks_of(const std::string& word);
-
-bool is_strand(const std::string& segment);
-bool is_motor_side(const std::string& segment);
-int finger_of_strand(const std::string& segment);  // 0 if it is none
-std::set<int> fingers_of(const std::string& word);
-bool has_bearing(const std::string& word);
+inline bool has_bearing(const std::string& word) {
+  return word.find_first_of("PBb") != std::string::npos;
+}
 
 }  // namespace reeve::testing

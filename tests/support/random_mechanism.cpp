@@ -229,15 +229,12 @@ ReferenceHardware random_reference_hardware(Dice& dice, const std::string& word)
                              {},
                              {}};
   if (dice.chance(0.5)) hardware.block = some_law(dice);
-  std::map<std::pair<std::string, std::string>, double> phi;
+  std::map<ContactName, double> phi;
   std::map<std::string, double> length;
   for (const reference::Tendon& tendon : reference::read_tendons(word)) {
-    const auto& segments = tendon.segments;
     for (std::size_t k = 0; k < tendon.kinds.size(); ++k)
-      if (dice.chance(0.3))
-        phi[{segments[k].name, segments[(k + 1) % segments.size()].name}] =
-            some_friction(dice) * dice.real(0, 6);
-    for (const auto& segment : segments)
+      if (dice.chance(0.3)) phi[tendon.sides(k)] = some_friction(dice) * dice.real(0, 6);
+    for (const auto& segment : tendon.segments)
       if (dice.chance(0.3)) length[segment.name] = dice.log_real(20, 500);
     for (const int finger : tendon.fingers)
       if (dice.chance(0.3)) hardware.closing_weight[finger] = dice.log_real(0.1, 10);

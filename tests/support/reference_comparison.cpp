@@ -14,8 +14,6 @@ namespace reeve::testing {
 
 namespace {
 
-using Sides = std::pair<std::string, std::string>;
-
 std::string names(const ReferenceContact& contact) { return contact.left + "-" + contact.right; }
 
 std::string unlike(const std::string& what, double expected, double observed) {
@@ -39,12 +37,11 @@ std::string unlike_tensions(const ReferenceResult& expected, const ReferenceResu
 // Turning a loop changes sum phi |slip| at once in either direction, so that only one turn is
 // least.
 bool one_turn_is_least(const reference::Tendon& tendon,
-                       const std::map<Sides, ReferenceContact>& contacts) {
+                       const std::map<ContactName, ReferenceContact>& contacts) {
   if (!tendon.loop) return true;
   double still = 0, turning = 0;
   for (std::size_t k = 0; k < tendon.kinds.size(); ++k) {
-    const auto& right = tendon.segments[(k + 1) % tendon.segments.size()];
-    const ReferenceContact& contact = contacts.at({tendon.segments[k].name, right.name});
+    const ReferenceContact& contact = contacts.at(tendon.sides(k));
     (contact.slip == 0 ? still : turning) +=
         contact.slip == 0 ? contact.phi : std::copysign(contact.phi, contact.slip);
   }
@@ -53,7 +50,7 @@ bool one_turn_is_least(const reference::Tendon& tendon,
 
 std::string unlike_slips(const std::string& word, const ReferenceResult& expected,
                          const ReferenceResult& observed, const ComparisonTolerance& tolerance) {
-  std::map<Sides, ReferenceContact> wanted, found;
+  std::map<ContactName, ReferenceContact> wanted, found;
   for (const auto& contact : expected.contacts) wanted[{contact.left, contact.right}] = contact;
   for (const auto& contact : observed.contacts) found[{contact.left, contact.right}] = contact;
   if (wanted.size() != found.size())
@@ -62,8 +59,7 @@ std::string unlike_slips(const std::string& word, const ReferenceResult& expecte
   for (const reference::Tendon& tendon : reference::read_tendons(word)) {
     const bool comparable = one_turn_is_least(tendon, wanted);
     for (std::size_t k = 0; k < tendon.kinds.size(); ++k) {
-      const auto& right = tendon.segments[(k + 1) % tendon.segments.size()];
-      const ReferenceContact& contact = wanted.at({tendon.segments[k].name, right.name});
+      const ReferenceContact& contact = wanted.at(tendon.sides(k));
       const auto other = found.find({contact.left, contact.right});
       if (other == found.end()) return names(contact) + ": not observed";
       if (other->second.kind != contact.kind)

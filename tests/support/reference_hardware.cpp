@@ -30,8 +30,7 @@ Vector exponents(const Tendon& tendon, const ReferenceHardware& hardware) {
       continue;
     }
     const auto nominal = static_cast<double>(nominal_phi(tendon.kinds[k], hardware));
-    const auto& left = tendon.segments[k].name;
-    const auto& right = tendon.segments[(k + 1) % tendon.segments.size()].name;
+    const auto [left, right] = tendon.sides(k);
     phi(static_cast<Index>(k)) =
         hardware.phi_override ? hardware.phi_override(left, right, nominal) : nominal;
   }

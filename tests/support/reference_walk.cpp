@@ -51,6 +51,7 @@ class Reader {
  private:
   Tendon read_walk(const std::vector<std::string>& tokens) {
     Tendon tendon;
+    tendon.tokens = tokens;
     tendon.loop = tokens.size() > 1 && finger_of(tokens.front()) != 0 &&
                   !is_anchored(tokens.front()) && tokens.front() == tokens.back();
     if (is_on_carriage(tokens.front(), 'M')) {
@@ -59,6 +60,7 @@ class Reader {
     }
     for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
       if (i > 0) pass(tokens[i], tendon);
+      tendon.places.resize(tendon.kinds.size(), i);
       tendon.segments.push_back(stretch(tokens[i], tokens[i + 1]));
     }
     if (is_on_carriage(tokens.back(), 'M')) {
@@ -68,6 +70,7 @@ class Reader {
     tie(tokens.front(), 0, tendon);
     tie(tokens.back(), tendon.segments.size() - 1, tendon);
     if (tendon.loop) tendon.kinds.push_back(tip_kind(tokens.front()));
+    tendon.places.resize(tendon.kinds.size(), tokens.size() - 1);
     for (const auto& segment : tendon.segments)
       if (segment.finger != 0) tendon.fingers.insert(segment.finger);
     return tendon;

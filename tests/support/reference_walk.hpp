@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reeve::testing::reference {
@@ -33,12 +34,19 @@ struct BlockEnd {
 };
 
 struct Tendon {
+  std::vector<std::string> tokens;
   std::vector<Segment> segments;
-  std::vector<std::string> kinds;  // of contact k, between segments k and k + 1 (cyclically)
+  std::vector<std::string> kinds;   // of contact k, between segments k and k + 1 (cyclically)
+  std::vector<std::size_t> places;  // of contact k: the token that it belongs to
   std::set<int> fingers;
   std::vector<BlockPass> passes;
   std::vector<BlockEnd> ends;
   bool loop = false;
+
+  // The names of the segments on either side of contact k.
+  std::pair<std::string, std::string> sides(std::size_t k) const {
+    return {segments[k].name, segments[(k + 1) % segments.size()].name};
+  }
 };
 
 // One for each walk. Throws std::invalid_argument on a token that it does not know, and on one that
