@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "core/notation.hpp"
 #include "core/tension/tension.hpp"
 #include "core/tension/tree_kinematics.hpp"
+#include "tests/property/rewritten.hpp"
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/random_routing.hpp"
 
@@ -112,45 +112,12 @@ TEST(MechanismProperty, BlocksBalanceContactsKeepTheirConesAndNoWorkIsLost) {
   EXPECT_GT(moving, 2000);
 }
 
-// 0, and then 1 … n in any order.
-std::vector<std::uint8_t> shuffled_numbers(int n, Dice& dice) {
-  std::vector<std::uint8_t> numbers(static_cast<std::size_t>(n));
-  std::iota(numbers.begin(), numbers.end(), std::uint8_t{1});
-  dice.shuffle(numbers);
-  numbers.insert(numbers.begin(), 0);
-  return numbers;
-}
-
-// The same routing, written otherwise.
-Routing rewritten(const Routing& routing, Dice& dice) {
-  const std::vector<std::uint8_t> block = shuffled_numbers(max_blocks, dice);
-  const std::vector<std::uint8_t> finger = shuffled_numbers(finger_count(routing), dice);
-  const std::vector<std::uint8_t> motor = shuffled_numbers(carriage_count(routing), dice);
-  Routing result = routing;
-  for (Tendon& tendon : result.tendons) {
-    for (Token& token : tendon.walk) {
-      token.block = block[token.block];
-      token.finger = finger[token.finger];
-      if (is_on_carriage(token.kind)) token.carriage = motor[token.carriage];
-    }
-    if (dice.chance(0.5)) {
-      std::reverse(tendon.walk.begin(), tendon.walk.end());
-      for (Token& token : tendon.walk) token = reversed(token);
-    }
-    while (tendon.closed && (tendon.walk.front().kind != TokenKind::finger || dice.chance(0.5))) {
-      std::rotate(tendon.walk.begin(), tendon.walk.begin() + 1, tendon.walk.end());
-    }
-  }
-  dice.shuffle(result.tendons);
-  return result;
-}
-
 TEST(MechanismProperty, HasOneCanonicalWordHoweverItIsWritten) {
   for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
     Dice dice(seed);
     Routing routing = parse_routing(testing::random_mechanism(dice));
     if (seed % 2 == 0) routing = testing::with_several_motors(dice, routing);
-    const Routing other = rewritten(routing, dice);
+    const Routing other = testing::disguised(testing::renamed(routing, dice), dice);
     const std::string word = to_word(canonical(routing, FingerIdentity::identical));
     ASSERT_EQ(to_word(canonical(other, FingerIdentity::identical)), word) << to_word(routing);
     ASSERT_EQ(to_word(canonical(parse_routing(word), FingerIdentity::identical)), word);
