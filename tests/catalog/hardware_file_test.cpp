@@ -29,6 +29,10 @@ std::string error_in_hardware(const std::string& text) {
   return folder.error_of([&] { read_hardware_file(folder.write("h.toml", text)); });
 }
 
+HardwareFile written_and_read(const HardwareFile& file) {
+  return hardware_file_of(hardware_toml(file.hardware, file.uncertainty, file.vary));
+}
+
 void expect_defaults(const HardwareFile& file) {
   const Hardware paper;
   EXPECT_EQ(file.hardware.tube, paper.tube);
@@ -118,8 +122,7 @@ TEST(HardwareFile, KeepsTheLengthOfASheathWhichChangesNoFriction) {
   const HardwareFile file = hardware_file_of("[sheath]\nlength_mm = 800\n");
   EXPECT_EQ(file.hardware.sheath.length_mm, 800);
   EXPECT_EQ(file.hardware.sheath.exponent(), Hardware{}.sheath.exponent());
-  const std::string text = hardware_toml(file.hardware, file.uncertainty, file.vary);
-  EXPECT_EQ(hardware_file_of(text).hardware.sheath.length_mm, 800);
+  EXPECT_EQ(written_and_read(file).hardware.sheath.length_mm, 800);
   EXPECT_FALSE(hardware_file_of("").hardware.sheath.length_mm);
   EXPECT_EQ(
       error_in_hardware("[sheath]\nlength_mm = 0\n"),
@@ -131,8 +134,7 @@ TEST(HardwareFile, AddsTheWobbleOfASheathInProportionToItsLength) {
       "[sheath]\nmu = 0.2\nangle_rad = 0.25\nlength_mm = 15000\nwobble_rad_per_m = 0.01\n";
   const HardwareFile file = hardware_file_of(given);
   EXPECT_DOUBLE_EQ(file.hardware.sheath.exponent(), 0.2 * (0.25 + 0.15));
-  const std::string text = hardware_toml(file.hardware, file.uncertainty, file.vary);
-  EXPECT_EQ(hardware_file_of(text).hardware.sheath, file.hardware.sheath);
+  EXPECT_EQ(written_and_read(file).hardware.sheath, file.hardware.sheath);
   // A finger that has its own bends keeps the wobble of the sheath.
   const Hardware own = hardware_file_of(given + "[finger.1]\nsheath_angle_rad = 0\n").hardware;
   const Network network = expand(parse_routing("M-1x"));
@@ -216,9 +218,7 @@ TEST(HardwareFile, NamesThePlaceOfABadNumber) {
 TEST(HardwareFile, HasSpoolsAndWritesThem) {
   const HardwareFile file = hardware_file_of("[spools]\nb = 0.5\nd = 2\n");
   EXPECT_EQ(file.hardware.spools, (std::vector<SpoolHardware>{{"b", 0.5}, {"d", 2}}));
-  const HardwareFile again =
-      hardware_file_of(hardware_toml(file.hardware, file.uncertainty, file.vary));
-  EXPECT_EQ(again.hardware.spools, file.hardware.spools);
+  EXPECT_EQ(written_and_read(file).hardware.spools, file.hardware.spools);
 }
 
 TEST(HardwareFile, HasSpringsAndSlackAndWritesThem) {
@@ -227,9 +227,7 @@ TEST(HardwareFile, HasSpringsAndSlackAndWritesThem) {
       "[tendon.3]\nslack_mm = 10\n");
   const TendonParts expected{2e4, 30, {{1, 5, {}}, {3, {}, 10}}};
   EXPECT_EQ(file.hardware.tendon, expected);
-  const HardwareFile again =
-      hardware_file_of(hardware_toml(file.hardware, file.uncertainty, file.vary));
-  EXPECT_EQ(again.hardware.tendon, expected);
+  EXPECT_EQ(written_and_read(file).hardware.tendon, expected);
 }
 
 TEST(HardwareFile, HasBoundsOfDimensionsWithTheirPlaces) {
@@ -252,16 +250,13 @@ TEST(HardwareFile, MayNameTheTwoContactsOfALoopThatJoinTheSameStrands) {
   const HardwareFile file =
       hardware_file_of("[contact.T1-T2]\nmu = 0.1\n[contact.T2-T1]\nangle_rad = 2\n");
   ASSERT_EQ(file.hardware.contacts.size(), 2U);
-  EXPECT_EQ(
-      hardware_file_of(hardware_toml(file.hardware, file.uncertainty, file.vary)).hardware.contacts,
-      file.hardware.contacts);
+  EXPECT_EQ(written_and_read(file).hardware.contacts, file.hardware.contacts);
 }
 
 TEST(HardwareFile, IsWrittenWithBoundsOfDimensions) {
   const HardwareFile file = hardware_file_of(
       "[vary]\nhand_mm = [0.1, 9]\n\"contact_angle[T2-T3]\" = [1, 4]\nequal = [\"tips\"]\n");
-  const HardwareFile again =
-      hardware_file_of(hardware_toml(file.hardware, file.uncertainty, file.vary));
+  const HardwareFile again = written_and_read(file);
   ASSERT_EQ(again.vary.bounds.size(), 2U);
   EXPECT_EQ(again.vary.bounds[0].low, 0.1);
   EXPECT_EQ(again.vary.bounds[1].name, "contact_angle[T2-T3]");

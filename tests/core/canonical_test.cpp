@@ -12,9 +12,12 @@
 #include <vector>
 
 #include "core/notation.hpp"
+#include "tests/support/published_words.hpp"
 
 namespace reeve {
 namespace {
+
+using testing::published_words;
 
 std::string identical(const std::string& word) {
   return to_word(canonical(parse_routing(word), FingerIdentity::identical));
@@ -23,11 +26,8 @@ std::string distinct(const std::string& word) {
   return to_word(canonical(parse_routing(word), FingerIdentity::distinct));
 }
 
-const std::vector<std::string> published{"M-1-T-2-F", "M-1-T-2-M", "F-1-P-2-F", "M-1-P-2-F",
-                                         "M-1-P-2-M", "1-T-2-P-1", "1-P-2-P-1"};
-
 TEST(Canonical, ThePublishedWordsAreCanonical) {
-  for (const std::string& word : published) {
+  for (const std::string& word : published_words()) {
     EXPECT_EQ(identical(word), word);
     EXPECT_EQ(distinct(word), word);
   }
@@ -339,7 +339,7 @@ TEST(Canonical, TellsApartAllTwentyFourRoutingsOfTwoFingers) {
 TEST(Canonical, TheActuatedOneTendonRoutingsOfTwoFingersAreThePublishedOnes) {
   EXPECT_EQ(
       canonical_words([](const Routing& r) { return is_actuated(r) && r.tendons.size() == 1; }),
-      std::set<std::string>(published.begin(), published.end()));
+      std::set<std::string>(published_words().begin(), published_words().end()));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "tests/support/planting_walk.hpp"
+#include "tests/support/published_words.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -16,12 +17,6 @@ namespace {
 constexpr double least_motor_N = 5;
 constexpr double greatest_motor_N = 60;
 constexpr double greatest_tension_N = 300;
-
-const std::vector<std::string>& printed_words() {
-  static const std::vector<std::string> words{"M-1-T-2-F", "M-1-T-2-M", "F-1-P-2-F", "M-1-P-2-F",
-                                              "M-1-P-2-M", "1-T-2-P-1", "1-P-2-P-1"};
-  return words;
-}
 
 const std::vector<std::string>& further_words() {
   static const std::vector<std::string> words{
@@ -43,7 +38,7 @@ std::vector<std::string> with_bearings(std::vector<std::string> words) {
 }
 
 std::vector<std::string> choose_words(const ExperimentNeeds& needs, Dice& dice) {
-  auto words = some_of(needs.bearings ? with_bearings(printed_words()) : printed_words(),
+  auto words = some_of(needs.bearings ? with_bearings(published_words()) : published_words(),
                        dice.integer(2, 4), dice);
   const auto further = some_of(needs.bearings ? with_bearings(further_words()) : further_words(),
                                dice.integer(1, 2), dice);
