@@ -1,8 +1,6 @@
 // Models and solutions for the tests of causes.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -12,6 +10,7 @@
 #include "causes/model.hpp"
 #include "causes/model_solver.hpp"
 #include "core/notation.hpp"
+#include "tests/core/network_of.hpp"
 #include "tests/support/random_routing.hpp"
 
 namespace reeve::testing {
@@ -32,23 +31,9 @@ inline Subject of_channel(const std::string& channel) {
   return subject;
 }
 
-struct Solved {
-  Network network;
-  TensionState state;
+// Tensions in N per N of motor tension.
+struct Solved : SolvedNetwork {
   bool converged = true;
-
-  // N per N of motor tension.
-  double operator[](const std::string& segment) const {
-    for (std::size_t i = 0; i < network.segments.size(); ++i) {
-      if (segment_name(network.segments[i]) == segment) return state.tension[i];
-    }
-    ADD_FAILURE() << "no segment " << segment;
-    return 0;
-  }
-
-  double slip(const std::string& contact) const {
-    return state.slip[find_contact(network, contact).value()];
-  }
 };
 
 inline Solved solved(const Model& model, const Routing& routing, Grasp grasp = {},

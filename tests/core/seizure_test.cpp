@@ -10,9 +10,9 @@
 #include <string>
 #include <tuple>
 
-#include "core/contact_name.hpp"
 #include "core/notation.hpp"
 #include "core/performance.hpp"
+#include "tests/core/network_of.hpp"
 #include "tests/support/random_routing.hpp"
 
 namespace reeve {
@@ -24,20 +24,7 @@ const double sheath = std::exp(-0.36 * pi);
 const double tube = std::exp(-0.18 * pi);
 constexpr double tolerance = 1e-12;
 
-struct Seized {
-  Network network;
-  TensionState state;
-
-  double operator[](const std::string& segment) const {
-    for (std::size_t i = 0; i < network.segments.size(); ++i) {
-      if (segment_name(network.segments[i]) == segment) return state.tension[i];
-    }
-    ADD_FAILURE() << "no segment " << segment;
-    return 0;
-  }
-  double slip(const std::string& contact) const {
-    return state.slip[find_contact(network, contact).value()];
-  }
+struct Seized : testing::SolvedNetwork {
   double efficiency() const { return performance(network, state).efficiency; }
 };
 
@@ -62,7 +49,7 @@ TensionState seized_state(const Network& network, const Mechanics& plain,
 Seized seized(const std::string& word, const std::vector<std::string>& contacts, Grasp grasp = {},
               Direction direction = Direction::pull) {
   Seized result;
-  result.network = expand(parse_routing(word));
+  result.network = testing::network_of(word);
   std::vector<std::size_t> indices;
   for (const std::string& contact : contacts) {
     indices.push_back(find_contact(result.network, contact).value());

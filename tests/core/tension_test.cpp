@@ -15,6 +15,7 @@
 #include "core/notation.hpp"
 #include "core/part_prices.hpp"
 #include "core/performance.hpp"
+#include "tests/core/network_of.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/random_routing.hpp"
 
@@ -23,28 +24,7 @@ namespace {
 
 using std::exp;
 using std::numbers::pi;
-
-// Tensions by segment name.
-class Solved {
- public:
-  Solved(const std::string& word, const Hardware& hardware, Grasp grasp,
-         Direction direction = Direction::pull)
-      : network_(expand(parse_routing(word))),
-        state_(tensions(network_, mechanics(network_, hardware), grasp, direction)) {}
-
-  double operator[](const std::string& segment) const {
-    for (std::size_t i = 0; i < network_.segments.size(); ++i) {
-      if (segment_name(network_.segments[i]) == segment) return state_.tension[i];
-    }
-    throw std::logic_error("no segment " + segment);
-  }
-
-  const TensionState& state() const { return state_; }
-
- private:
-  Network network_;
-  TensionState state_;
-};
+using testing::solved_network;
 
 // ---- the paper's closed forms, finger 1 held ----
 
@@ -106,7 +86,7 @@ Friction exponents(const Hardware& h) {
 }
 
 void expect_strands(const std::string& word, const Hardware& hardware, const Strands& expected) {
-  const Solved found(word, hardware, hold({1}));
+  const auto found = solved_network(word, hardware, hold({1}));
   for (std::size_t i = 0; i < 4; ++i) {
     const double tension = found["T" + std::to_string(i + 1)];
     EXPECT_NEAR(tension, expected[i], 1e-9 * expected[i]) << word << " T" << i + 1;
@@ -145,7 +125,7 @@ TEST(PaperTension, WithABearingWorseThanTheTubeTr6SlidesThroughTheTubeInstead) {
   Hardware hardware;
   hardware.tube.mu = 0.01;
   hardware.bearing.mu = 0.02;
-  const Solved found("1-T-2-P-1", hardware, hold({1}));
+  const auto found = solved_network("1-T-2-P-1", hardware, hold({1}));
   const Friction f = exponents(hardware);
   EXPECT_NEAR(found["T3"], found["T2"] * exp(-f.t), 1e-12);  // Eq. 20 has e^{-b}
   EXPECT_GT(found["b"], found["a"] * exp(-f.b));             // the pulley stands
@@ -154,23 +134,23 @@ TEST(PaperTension, WithABearingWorseThanTheTubeTr6SlidesThroughTheTubeInstead) {
 // ---- release, jam, bench ----
 
 TEST(Tension, ReleasingTurnsEveryRatioOfASlidingTendonRound) {
-  const Solved found("M-1-T-2-F", Hardware{}, Grasp{}, Direction::release);
+  const auto found = solved_network("M-1-T-2-F", Hardware{}, Grasp{}, Direction::release);
   const Friction f = exponents(Hardware{});
   EXPECT_NEAR(found["T1"], exp(f.s), 1e-12);
   EXPECT_NEAR(found["T4"], exp(f.s + 3 * f.t), 1e-10);
 }
 
 TEST(Tension, OfAJammedTendonFallsFromTheCarriageAtEveryContact) {
-  const Solved found("M-1-F", Hardware{}, hold({1}));
+  const auto found = solved_network("M-1-F", Hardware{}, hold({1}));
   const Friction f = exponents(Hardware{});
-  EXPECT_TRUE(found.state().jams);
+  EXPECT_TRUE(found.state.jams);
   EXPECT_NEAR(found["T1"], exp(-f.s), 1e-12);
   EXPECT_NEAR(found["T2"], exp(-f.s - f.t), 1e-12);
 }
 
 TEST(Tension, OfAJammedTendonInReleaseIsHighestAtTheHand) {
   // T1 and T2 stay stretched by the same length; a gives way as far as its sheath lets it.
-  const Solved found("M-1-F", Hardware{}, hold({1}), Direction::release);
+  const auto found = solved_network("M-1-F", Hardware{}, hold({1}), Direction::release);
   const Friction f = exponents(Hardware{});
   EXPECT_NEAR(found["T1"], exp(f.s), 1e-12);
   EXPECT_NEAR(found["T2"], found["T1"] * (1 + exp(-f.s)), 1e-12);  // T2 L = T1 L + a L
@@ -178,15 +158,15 @@ TEST(Tension, OfAJammedTendonInReleaseIsHighestAtTheHand) {
 
 TEST(Tension, OnATestBenchIsTheSheathsCapstanFactor) {
   const double s = Hardware{}.sheath.exponent();
-  EXPECT_NEAR(Solved("M-F", Hardware{}, Grasp{})["h1"], exp(-s), 1e-12);
-  EXPECT_NEAR(Solved("M-F", Hardware{}, Grasp{}, Direction::release)["h1"], exp(s), 1e-12);
+  EXPECT_NEAR(solved_network("M-F", Hardware{}, Grasp{})["h1"], exp(-s), 1e-12);
+  EXPECT_NEAR(solved_network("M-F", Hardware{}, Grasp{}, Direction::release)["h1"], exp(s), 1e-12);
   const double t = Hardware{}.tube.exponent();
-  EXPECT_NEAR(Solved("M-T-F", Hardware{}, Grasp{})["h2"], exp(-s - t), 1e-12);
+  EXPECT_NEAR(solved_network("M-T-F", Hardware{}, Grasp{})["h2"], exp(-s - t), 1e-12);
 }
 
 TEST(Tension, AJammedTendonTakesTheWholeMotorTension) {
-  const Solved found("M-1-F+M-2-F", Hardware{}, hold({2}));
-  EXPECT_TRUE(found.state().jams);
+  const auto found = solved_network("M-1-F+M-2-F", Hardware{}, hold({2}));
+  EXPECT_TRUE(found.state.jams);
   EXPECT_EQ(found["a"], 0);
   EXPECT_EQ(found["T1"], 0);
   EXPECT_EQ(found["T2"], 0);
@@ -201,7 +181,7 @@ TEST(Tension, JammedTendonsShareTheMotorTensionByStiffness) {
   second.strand_mm = 300;
   hardware.fingers = {second};
   // Frictionless: T L = travel, with L = 300 and 700 mm.
-  const Solved found("M-1-F+M-2-F", hardware, hold({1, 2}));
+  const auto found = solved_network("M-1-F+M-2-F", hardware, hold({1, 2}));
   EXPECT_NEAR(found["a"], 0.7, 1e-12);
   EXPECT_NEAR(found["b"], 0.3, 1e-12);
 }
@@ -221,7 +201,7 @@ TEST(Tension, FallsAtEveryContactHoweverManyThereAre) {
       const Friction f = exponents(hardware);
       const double expected = exp(-f.s - (2 * fingers - 1) * f.t);
       for (const Grasp& grasp : {Grasp{}, hold({fingers})}) {
-        const Solved found(tendon_through_all(fingers), hardware, grasp);
+        const auto found = solved_network(tendon_through_all(fingers), hardware, grasp);
         const double last = found["T" + std::to_string(2 * fingers)];
         EXPECT_NEAR(last, expected, 1e-9 * expected) << fingers << " fingers, mu_t " << mu;
       }
@@ -240,7 +220,7 @@ TEST(Tension, TendonsTakeUpTheSameFractionOfTheirTravel) {
   const double one = 1 / (250 + 80 * (exp(-f.s) + exp(-f.s - f.t)));
   const double two =
       1 / (250 + 80 * (exp(-f.s) + exp(-f.s - f.t) + exp(-f.s - 2 * f.t) + exp(-f.s - 3 * f.t)));
-  const Solved found("M-1-F+M-2-T-3-F", hardware, Grasp{});
+  const auto found = solved_network("M-1-F+M-2-T-3-F", hardware, Grasp{});
   EXPECT_NEAR(found["a"], one / (one + two), 1e-12);
   EXPECT_NEAR(found["b"], two / (one + two), 1e-12);
   EXPECT_NEAR(found["T6"], two / (one + two) * exp(-f.s - 3 * f.t), 1e-12);
@@ -250,12 +230,10 @@ TEST(Tension, ATendonWithTwoMotorSidesTakesUpTwice) {
   Hardware hardware;
   hardware.tube.mu = hardware.sheath.mu = hardware.bearing.mu = 0;
   // Frictionless: 2 / (2 + 2) against 1 / (1 + 2) segments of the same length.
-  const Solved found("M-1-M+M-2-F", hardware, Grasp{});
+  const auto found = solved_network("M-1-M+M-2-F", hardware, Grasp{});
   EXPECT_NEAR(found["T1"] / found["T3"], 1.5, 1e-12);
   EXPECT_NEAR(found["a"] + found["b"] + found["c"], 1, 1e-12);
 }
-
-// ---- the solver as an object ----
 
 // ---- unequal spools ----
 
@@ -267,24 +245,23 @@ Hardware with_spools(std::vector<SpoolHardware> spools) {
 
 TEST(UnequalSpools, ShareTheMotorsForceByVirtualWork) {
   const double r = exp(-0.18 * 2 * pi);
-  const Solved solved("1x-M+2x-M", with_spools({{"b", 0.5}}), Grasp{});
+  const auto solved = solved_network("1x-M+2x-M", with_spools({{"b", 0.5}}), Grasp{});
   EXPECT_DOUBLE_EQ(solved["a"], 0.8);  // a + b/2 = 1, and b takes up half of what a does
   EXPECT_DOUBLE_EQ(solved["b"], 0.4);
   EXPECT_DOUBLE_EQ(solved["T1"], 0.8 * r);
   EXPECT_DOUBLE_EQ(solved["T3"], 0.4 * r);
-  EXPECT_EQ(solved.state().closing, (std::vector<double>{1, 0.5}));
-  EXPECT_DOUBLE_EQ(solved.state().motor_tension[0], 1);
-  EXPECT_EQ(solved.state().motor_work, 1);
-  const Network network = expand(parse_routing("1x-M+2x-M"));
-  EXPECT_DOUBLE_EQ(performance(network, solved.state()).efficiency, r);
+  EXPECT_EQ(solved.state.closing, (std::vector<double>{1, 0.5}));
+  EXPECT_DOUBLE_EQ(solved.state.motor_tension[0], 1);
+  EXPECT_EQ(solved.state.motor_work, 1);
+  EXPECT_DOUBLE_EQ(performance(solved.network, solved.state).efficiency, r);
 }
 
 TEST(UnequalSpools, OfBothEndsOfATendonCloseItsFingerByTheirMean) {
   const double s = exp(-0.18 * 2 * pi);
-  const Solved solved("M-1b-M", with_spools({{"b", 0.5}}), Grasp{});
+  const auto solved = solved_network("M-1b-M", with_spools({{"b", 0.5}}), Grasp{});
   const double b = exp(-0.001 * pi);
-  EXPECT_EQ(solved.state().closing, std::vector<double>{0.75});
-  EXPECT_EQ(solved.state().slip, (std::vector<double>{-1, -0.25, 0.5}));
+  EXPECT_EQ(solved.state.closing, std::vector<double>{0.75});
+  EXPECT_EQ(solved.state.slip, (std::vector<double>{-1, -0.25, 0.5}));
   EXPECT_DOUBLE_EQ(solved["T2"], solved["T1"] * b);
   EXPECT_DOUBLE_EQ(solved["b"], solved["T2"] / s);
   EXPECT_DOUBLE_EQ(solved["a"] + 0.5 * solved["b"], 1);
@@ -292,8 +269,8 @@ TEST(UnequalSpools, OfBothEndsOfATendonCloseItsFingerByTheirMean) {
 
 // The motor pulls a jammed tendon through its spool.
 TEST(UnequalSpools, TurnTheMotorsForceIntoMoreOfAJammedTendon) {
-  const Solved solved("1x-M+2x-M", with_spools({{"b", 0.5}}), hold({2}));
-  EXPECT_TRUE(solved.state().jams);
+  const auto solved = solved_network("1x-M+2x-M", with_spools({{"b", 0.5}}), hold({2}));
+  EXPECT_TRUE(solved.state.jams);
   EXPECT_EQ(solved["b"], 2);
   EXPECT_EQ(solved["a"], 0);
 }
@@ -316,31 +293,30 @@ TEST(LockedEnds, AreFixedEndsWhoseTensionNoMotorGives) {
   const double t = exp(-0.18 * pi);
   Grasp grasp;
   grasp.locked = 1;
-  const Solved solved("M-1-T-2-M", Hardware{}, grasp);
-  const Solved fixed("F-1-T-2-M", Hardware{}, Grasp{});
+  const auto solved = solved_network("M-1-T-2-M", Hardware{}, grasp);
+  const auto fixed = solved_network("F-1-T-2-M", Hardware{}, Grasp{});
   for (const char* strand : {"T1", "T2", "T3", "T4"}) {
     EXPECT_DOUBLE_EQ(solved[strand], fixed[strand]) << strand;
   }
   EXPECT_DOUBLE_EQ(solved["b"], 1);
   EXPECT_DOUBLE_EQ(solved["T1"], s * t * t * t);
   // Its sheath has no slip: at the far end of it the segment is as long as T1.
-  EXPECT_EQ(solved.state().slip[0], 0);
+  EXPECT_EQ(solved.state.slip[0], 0);
   EXPECT_GT(solved["a"], 0);
-  EXPECT_EQ(solved.state().closing, (std::vector<double>{0.25, 0.25}));
-  EXPECT_EQ(solved.state().motor_work, 1);
-  const Network network = expand(parse_routing("M-1-T-2-M"));
-  EXPECT_LT(performance(network, solved.state()).efficiency, 1);
+  EXPECT_EQ(solved.state.closing, (std::vector<double>{0.25, 0.25}));
+  EXPECT_EQ(solved.state.motor_work, 1);
+  EXPECT_LT(performance(solved.network, solved.state).efficiency, 1);
 }
 
 TEST(LockedEnds, LeaveATendonThatNothingElsePullsSlack) {
   Grasp grasp = hold({2});
   grasp.locked = 2;
-  const Solved solved("1x-M+2x-M", Hardware{}, grasp);
-  EXPECT_FALSE(solved.state().jams);
+  const auto solved = solved_network("1x-M+2x-M", Hardware{}, grasp);
+  EXPECT_FALSE(solved.state.jams);
   EXPECT_EQ(solved["a"], 1);
   EXPECT_EQ(solved["b"], 0);
   EXPECT_EQ(solved["T3"], 0);
-  EXPECT_EQ(solved.state().closing, (std::vector<double>{1, 0}));
+  EXPECT_EQ(solved.state.closing, (std::vector<double>{1, 0}));
 }
 
 // ---- springs and slack between motor and tendon ----
@@ -356,12 +332,13 @@ TEST(SpringsInSeries, ShareACarriageByTheComplianceOfTheTendons) {
   const double r = exp(-0.18 * 2 * pi);
   const double plain = (1 + r) * 100 / 2000;
   const double sprung = plain + 1 / 5.0;
-  const Solved closing("1x-M+2x-M", with_tendons({{1, 5, {}}}), Grasp{});
+  const auto closing = solved_network("1x-M+2x-M", with_tendons({{1, 5, {}}}), Grasp{});
   EXPECT_DOUBLE_EQ(closing["a"], plain / (plain + sprung));
   EXPECT_DOUBLE_EQ(closing["b"], sprung / (plain + sprung));
   EXPECT_DOUBLE_EQ(closing["T1"], closing["a"] * r);
   // Jammed, nothing slides at the sheaths at order one, and the motor sides stretch first.
-  const Solved jammed("1x-M+2x-M", with_tendons({{1, 5, {}}, {2, 20, {}}}), hold({1, 2}));
+  const auto jammed =
+      solved_network("1x-M+2x-M", with_tendons({{1, 5, {}}, {2, 20, {}}}), hold({1, 2}));
   const double first = plain + 1 / 5.0;
   const double second = plain + 1 / 20.0;
   EXPECT_DOUBLE_EQ(jammed["a"], second / (first + second));
@@ -377,26 +354,26 @@ TEST(SpringsInSeries, AreNoTendonToPayFor) {
 
 TEST(Slack, DelaysATendonAndLeavesItLessOfTheCarriage) {
   // Behind 10 of 40 mm it has taken up three quarters of what the other has.
-  const Solved solved("1x-M+2x-M", with_tendons({{2, {}, 10}}), Grasp{});
+  const auto solved = solved_network("1x-M+2x-M", with_tendons({{2, {}, 10}}), Grasp{});
   EXPECT_DOUBLE_EQ(solved["a"], 4.0 / 7);
   EXPECT_DOUBLE_EQ(solved["b"], 3.0 / 7);
-  EXPECT_EQ(solved.state().closing, (std::vector<double>{1, 1}));
+  EXPECT_EQ(solved.state.closing, (std::vector<double>{1, 1}));
   // Both of its ends take slack in.
-  const Solved both("1x-M+M-2-M", with_tendons({{2, {}, 10}}), Grasp{});
-  const Solved none("1x-M+M-2-M", Hardware{}, Grasp{});
+  const auto both = solved_network("1x-M+M-2-M", with_tendons({{2, {}, 10}}), Grasp{});
+  const auto none = solved_network("1x-M+M-2-M", Hardware{}, Grasp{});
   EXPECT_DOUBLE_EQ(both["b"] / both["a"], 7.0 / 8 * none["b"] / none["a"]);
 }
 
 TEST(Slack, LeavesATendonWithoutTensionUntilItIsTakenIn) {
   for (const double slack_mm : {40.0, 50.0}) {
-    const Solved solved("1x-M+2x-M", with_tendons({{2, {}, slack_mm}}), hold({2}));
-    EXPECT_FALSE(solved.state().jams);
+    const auto solved = solved_network("1x-M+2x-M", with_tendons({{2, {}, slack_mm}}), hold({2}));
+    EXPECT_FALSE(solved.state.jams);
     EXPECT_EQ(solved["a"], 1);
     EXPECT_EQ(solved["b"], 0);
-    EXPECT_EQ(solved.state().closing, (std::vector<double>{1, 0}));
-    EXPECT_EQ(solved.state().slip, (std::vector<double>{solved.state().slip[0], 0}));
+    EXPECT_EQ(solved.state.closing, (std::vector<double>{1, 0}));
+    EXPECT_EQ(solved.state.slip, (std::vector<double>{solved.state.slip[0], 0}));
   }
-  EXPECT_TRUE(Solved("1x-M+2x-M", with_tendons({{2, {}, 39}}), hold({2})).state().jams);
+  EXPECT_TRUE(solved_network("1x-M+2x-M", with_tendons({{2, {}, 39}}), hold({2})).state.jams);
 }
 
 TEST(SpringsInSeries, AreOfATendonWithOneEndAtAMotorAndSlackOfOneWithoutBlocks) {
@@ -424,8 +401,8 @@ Grasp carriages(std::array<double, 2> travel, Grasp grasp = {}) {
 }
 
 TEST(SeveralMotors, AreOneMotorIfTheirCarriagesTravelAlike) {
-  const TensionState one = Solved("M-1-P-2-M+3x-M", Hardware{}, hold({1})).state();
-  const TensionState several = Solved("M-1-P3-2-M2+3x-M", Hardware{}, hold({1})).state();
+  const TensionState one = solved_network("M-1-P-2-M+3x-M", Hardware{}, hold({1})).state;
+  const TensionState several = solved_network("M-1-P3-2-M2+3x-M", Hardware{}, hold({1})).state;
   EXPECT_EQ(several.tension, one.tension);
   EXPECT_EQ(several.slip, one.slip);
   EXPECT_EQ(several.motor_work, 1);
@@ -433,57 +410,56 @@ TEST(SeveralMotors, AreOneMotorIfTheirCarriagesTravelAlike) {
 
 TEST(SeveralMotors, OfSeparateTendonsShareTheTensionByTheTravelOfTheirCarriages) {
   const double r = exp(-0.18 * 2 * pi);
-  const Solved solved("1x-M+2x-M2", Hardware{}, carriages({1, 0.5}));
+  const auto solved = solved_network("1x-M+2x-M2", Hardware{}, carriages({1, 0.5}));
   EXPECT_DOUBLE_EQ(solved["a"], 2.0 / 3);
   EXPECT_DOUBLE_EQ(solved["b"], 1.0 / 3);
   EXPECT_DOUBLE_EQ(solved["T1"], 2 * r / 3);
   EXPECT_DOUBLE_EQ(solved["T3"], r / 3);
-  EXPECT_EQ(solved.state().closing, (std::vector<double>{1, 0.5}));
-  EXPECT_DOUBLE_EQ(solved.state().motor_work, 2.0 / 3 + 0.5 / 3);
-  const Network network = expand(parse_routing("1x-M+2x-M2"));
-  EXPECT_DOUBLE_EQ(performance(network, solved.state()).efficiency, r);
+  EXPECT_EQ(solved.state.closing, (std::vector<double>{1, 0.5}));
+  EXPECT_DOUBLE_EQ(solved.state.motor_work, 2.0 / 3 + 0.5 / 3);
+  EXPECT_DOUBLE_EQ(performance(solved.network, solved.state).efficiency, r);
 }
 
 TEST(SeveralMotors, ATendonWhoseCarriageStandsStillCarriesNothingAndDoesNotJam) {
-  const Solved solved("1x-M+2x-M2", Hardware{}, carriages({1, 0}, hold({2})));
-  EXPECT_FALSE(solved.state().jams);
+  const auto solved = solved_network("1x-M+2x-M2", Hardware{}, carriages({1, 0}, hold({2})));
+  EXPECT_FALSE(solved.state.jams);
   EXPECT_EQ(solved["a"], 1);
   EXPECT_EQ(solved["b"], 0);
   EXPECT_EQ(solved["T3"], 0);
-  EXPECT_TRUE(Solved("1x-M+2x-M2", Hardware{}, carriages({1, 1}, hold({2}))).state().jams);
+  EXPECT_TRUE(solved_network("1x-M+2x-M2", Hardware{}, carriages({1, 1}, hold({2}))).state.jams);
 }
 
 TEST(SeveralMotors, ThatPullAgainstEachOtherTurnTheTendonThroughAllContacts) {
   const double s = exp(-0.18 * 2 * pi);
   const double b = exp(-0.001 * pi);
   for (const Grasp& grasp : {Grasp{}, hold({1})}) {
-    const Solved solved("M-1b-M2", Hardware{}, carriages({1, -1}, grasp));
-    EXPECT_FALSE(solved.state().jams);
+    const auto solved = solved_network("M-1b-M2", Hardware{}, carriages({1, -1}, grasp));
+    EXPECT_FALSE(solved.state.jams);
     const double a = 1 / (1 + s * b * s);
     EXPECT_DOUBLE_EQ(solved["a"], a);
     EXPECT_DOUBLE_EQ(solved["T1"], a * s);
     EXPECT_DOUBLE_EQ(solved["T2"], a * s * b);
     EXPECT_DOUBLE_EQ(solved["b"], a * s * b * s);
-    EXPECT_EQ(solved.state().closing, std::vector<double>{0});
-    EXPECT_EQ(solved.state().slip, (std::vector<double>{-1, -1, -1}));
-    EXPECT_DOUBLE_EQ(solved.state().motor_work, a - solved["b"]);
+    EXPECT_EQ(solved.state.closing, std::vector<double>{0});
+    EXPECT_EQ(solved.state.slip, (std::vector<double>{-1, -1, -1}));
+    EXPECT_DOUBLE_EQ(solved.state.motor_work, a - solved["b"]);
   }
 }
 
 TEST(SeveralMotors, ASecondCarriageThatStandsStillIsAFixedEndBehindItsSheath) {
   Hardware hardware;
   hardware.sheath.mu = 0.01;
-  const Solved solved("M-1-M2", hardware, carriages({1, 0}));
-  const Solved fixed("M-1-F", hardware, Grasp{});
+  const auto solved = solved_network("M-1-M2", hardware, carriages({1, 0}));
+  const auto fixed = solved_network("M-1-F", hardware, Grasp{});
   EXPECT_NEAR(solved["T2"] / solved["T1"], fixed["T2"] / fixed["T1"], 1e-15);
-  EXPECT_EQ(solved.state().closing, std::vector<double>{0.5});
-  EXPECT_EQ(solved.state().slip.back(), 0);
+  EXPECT_EQ(solved.state.closing, std::vector<double>{0.5});
+  EXPECT_EQ(solved.state.slip.back(), 0);
 }
 
 TEST(SeveralMotors, ThatWouldOpenAFingerAreRefused) {
   for (const std::string word : {"M-1-M2", "1x-M+2x-M2", "M-Y1+1x-Y1-2x+Y1-M2"}) {
     EXPECT_EQ(testing::out_of_range([&] {
-                Solved(word, Hardware{}, carriages({-1, 0.5}));
+                solved_network(word, Hardware{}, carriages({-1, 0.5}));
               }).substr(0, 58),
               "held none@-1,0.5: the motor tension cannot be computed: a ")
         << word;
@@ -491,7 +467,7 @@ TEST(SeveralMotors, ThatWouldOpenAFingerAreRefused) {
 }
 
 TEST(TensionSolver, ReportsSlipAndClosing) {
-  const TensionState state = Solved("M-1-T-2-M", Hardware{}, hold({1})).state();
+  const TensionState state = solved_network("M-1-T-2-M", Hardware{}, hold({1})).state;
   EXPECT_EQ(state.slip, (std::vector<double>{-1, -1, -1, 0, 1}));
   EXPECT_EQ(state.closing, (std::vector<double>{0, 1}));
   EXPECT_FALSE(state.jams);
@@ -517,20 +493,22 @@ const std::string no_motor_tension =
     "out of range";
 
 TEST(TensionSolver, NeedsAMotor) {
-  EXPECT_EQ(testing::out_of_range([] { Solved("F-1-F", Hardware{}, Grasp{}); }), no_motor_tension);
-  EXPECT_EQ(testing::out_of_range([] { Solved("1-T-1", Hardware{}, Grasp{}); }), no_motor_tension);
+  EXPECT_EQ(testing::out_of_range([] { solved_network("F-1-F", Hardware{}, Grasp{}); }),
+            no_motor_tension);
+  EXPECT_EQ(testing::out_of_range([] { solved_network("1-T-1", Hardware{}, Grasp{}); }),
+            no_motor_tension);
 }
 
 // Others may well have tensions.
 TEST(TensionSolver, NamesTheGraspThatHasNoTensions) {
   const auto said = [](const std::string& word, Grasp grasp) {
-    return testing::out_of_range([&] { Solved(word, Hardware{}, grasp); });
+    return testing::out_of_range([&] { solved_network(word, Hardware{}, grasp); });
   };
   const std::string one = said("Y1-3-M+F-P-T-B-Y1+2x-P-1-Y1-4x", hold({1}));
   EXPECT_TRUE(one.starts_with("held 1: the motor tension cannot")) << one;
   const std::string haul = "F-Y1+Y1k-2-Y1-3x+M-Y1-1x+F-Y1-F";
   EXPECT_TRUE(said(haul, Grasp{}).starts_with("held none: ")) << said(haul, Grasp{});
-  EXPECT_NO_THROW(Solved(haul, Hardware{}, hold({1})));
+  EXPECT_NO_THROW(solved_network(haul, Hardware{}, hold({1})));
 }
 
 // Who only tries, asks; and a solver that met such a case solves the next as if it had not.
@@ -553,7 +531,8 @@ TEST(TensionSolver, RefusesFrictionThatNoDoubleCanHold) {
   Hardware hardware;
   hardware.tube = {2, 5};
   const std::string word = tendon_through_all(max_fingers);
-  EXPECT_EQ(testing::out_of_range([&] { Solved(word, hardware, Grasp{}); }), no_motor_tension);
+  EXPECT_EQ(testing::out_of_range([&] { solved_network(word, hardware, Grasp{}); }),
+            no_motor_tension);
 }
 
 }  // namespace

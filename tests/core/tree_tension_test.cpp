@@ -6,13 +6,12 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "core/notation.hpp"
 #include "core/performance.hpp"
 #include "core/tension/tension.hpp"
+#include "tests/core/network_of.hpp"
 #include "tests/support/input_error.hpp"
 
 namespace reeve {
@@ -23,22 +22,12 @@ using std::numbers::pi;
 
 constexpr double rounding_error = 1e-12;
 
-class SolvedTree {
- public:
+struct SolvedTree : testing::SolvedNetwork {
   explicit SolvedTree(const std::string& word, Grasp grasp = {}, const Hardware& hardware = {},
                       Direction direction = Direction::pull)
-      : network(expand(parse_routing(word))),
-        state(tensions(network, mechanics(network, hardware), grasp, direction)),
+      : SolvedNetwork(testing::solved_network(word, hardware, grasp, direction)),
         performance(core::performance(network, state, direction)) {}
 
-  double operator[](const std::string& segment) const {
-    const auto found = find_segment(network, parse_segment(segment));
-    if (!found) throw std::logic_error("no segment " + segment);
-    return state.tension[*found];
-  }
-
-  Network network;
-  TensionState state;
   Performance performance;
 };
 
