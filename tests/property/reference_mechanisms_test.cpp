@@ -1,5 +1,5 @@
-// The reference model on random routings and mechanisms with blocks: against pulling in small
-// steps, and against what holds for any of them. The library solves none.
+// The reference model on random mechanisms with blocks: against its solver of single tendons,
+// against pulling in small steps, and against what holds for any of them. The library solves none.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,6 +17,7 @@
 #include "tests/support/reference_comparison.hpp"
 #include "tests/support/reference_loading.hpp"
 #include "tests/support/reference_model.hpp"
+#include "tests/support/reference_tree_solve.hpp"
 #include "tests/support/reference_walk.hpp"
 
 namespace reeve {
@@ -27,6 +28,28 @@ using testing::ReferenceDirection;
 using testing::ReferenceHardware;
 using testing::ReferenceResult;
 using testing::work_on_fingers;
+
+TEST(ReferenceMechanisms, SingleTendonsAreSolvedAlikeByBothSolvers) {
+  int jams = 0;
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    Dice dice(seed);
+    const std::string word = to_word(testing::random_routing(dice));
+    const ReferenceHardware hardware = testing::random_reference_hardware(dice, word);
+    std::set<int> held;
+    for (int finger = 1; finger <= 6; ++finger)
+      if (dice.chance(0.4)) held.insert(finger);
+    const auto direction =
+        dice.chance(0.5) ? ReferenceDirection::pull : ReferenceDirection::release;
+    const ReferenceResult single = testing::reference_tensions(word, held, direction, hardware);
+    const ReferenceResult tree = testing::reference::solve_trees(
+        testing::reference::read_tendons(word), held, direction, hardware);
+    EXPECT_EQ(testing::disagreement(word, single, tree, {1e-9, 0, 1e-12}), "")
+        << seed << " " << word;
+    jams += single.jams;
+  }
+  EXPECT_GT(jams, 50);
+  EXPECT_LT(jams, 450);
+}
 
 struct Tally {
   int moving = 0, jammed = 0, slack = 0, refused = 0;
@@ -119,18 +142,12 @@ double greatest_difference(const ReferenceResult& limit,
   return greatest;
 }
 
-// How many routings were compared, and of how many the small steps were off by more than rounding.
-struct Approach {
-  int compared = 0, approached = 0;
-};
-
 // Four times the steps leave a quarter of what the start of the loading has left.
-template <typename DrawnWord>
-Approach pull_in_small_steps(const DrawnWord& drawn_word) {
-  Approach seen;
+TEST(ReferenceMechanisms, PullingInSmallStepsLeadsToTheLimitInProportionToTheStep) {
+  int compared = 0, approached = 0;
   for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     Dice dice(seed);
-    const std::string word = drawn_word(dice);
+    const std::string word = testing::random_mechanism(dice);
     const ReferenceHardware hardware = testing::random_reference_hardware(dice, word);
     std::set<int> held;
     for (int finger = 1; finger <= 5; ++finger)
@@ -145,26 +162,13 @@ Approach pull_in_small_steps(const DrawnWord& drawn_word) {
       const double fine =
           greatest_difference(limit, testing::loaded_tensions(word, held, hardware, 80));
       EXPECT_LE(fine, 0.35 * coarse + 1e-9);
-      ++seen.compared;
-      seen.approached += coarse > 1e-6;
+      ++compared;
+      approached += coarse > 1e-6;
     } catch (const std::logic_error&) {
     }
   }
-  return seen;
-}
-
-TEST(ReferenceMechanisms, PullingInSmallStepsLeadsToTheLimitInProportionToTheStep) {
-  const Approach seen =
-      pull_in_small_steps([](Dice& dice) { return testing::random_mechanism(dice); });
-  EXPECT_GT(seen.compared, 80);
-  EXPECT_GT(seen.approached, 10);
-}
-
-// The way does not matter there: a step as small as any other ends where the last one does.
-TEST(ReferenceMechanisms, PullingRoutingsWithoutBlocksInSmallStepsEndsAtTheLimit) {
-  const Approach seen =
-      pull_in_small_steps([](Dice& dice) { return to_word(testing::random_routing(dice)); });
-  EXPECT_GT(seen.compared, 40);
+  EXPECT_GT(compared, 80);
+  EXPECT_GT(approached, 10);
 }
 
 }  // namespace

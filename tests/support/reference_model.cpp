@@ -1,50 +1,85 @@
 #include "tests/support/reference_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
-#include "tests/support/reference_tree.hpp"
-#include "tests/support/reference_tree_limit.hpp"
+#include "tests/support/reference_limit.hpp"
+#include "tests/support/reference_problem.hpp"
+#include "tests/support/reference_tree_solve.hpp"
+#include "tests/support/reference_walk.hpp"
 
 namespace reeve::testing {
 namespace reference {
 namespace {
 
-using PerTendon = std::vector<std::vector<ReferenceContact>>;
+void check_slips_follow(const Problem& problem, const Vector& u) {
+  for (Index k = 0; k < problem.phi.size(); ++k) {
+    const Real d = u(k) - u((k + 1) % u.size());
+    const Real sign = problem.slip(k) > 0 ? -1 : problem.slip(k) < 0 ? 1 : 0;
+    const Real off = sign == 0 ? std::max(Real(0), std::abs(d) - problem.phi(k))
+                               : std::abs(d - sign * problem.phi(k));
+    if (!(off < 1e-11L)) throw std::logic_error("reference model: a contact leaves its cone");
+  }
+}
 
-void add_tree_contacts(const std::vector<Tendon>& tendons, const Tree& tree, bool moves,
-                       PerTendon& contacts) {
-  for (const Span& span : tree.spans) {
-    const Tendon& tendon = tendons[span.tendon];
-    for (Index k = 0; k < span.contacts; ++k) {
-      const TreeContact& contact = tree.contacts[static_cast<std::size_t>(span.contact + k)];
-      const auto left = static_cast<std::size_t>(contact.left - span.segment);
-      const auto right = static_cast<std::size_t>(contact.right - span.segment);
-      const Real slip = contact.slip * (1 / tree.c(contact.left) + 1 / tree.c(contact.right)) / 2;
-      contacts[span.tendon].push_back({tendon.segments[left].name, tendon.segments[right].name,
-                                       tendon.kinds[static_cast<std::size_t>(k)],
-                                       static_cast<double>(contact.phi),
-                                       moves ? static_cast<double>(slip) : 0.0});
+Vector tensions(const Problem& problem) {
+  if (problem.elastic.isZero(0)) return problem.elastic;
+  const Vector u = limit(problem, contacts_at_a_bound(problem));
+  check_slips_follow(problem, u);
+  return u.array().exp();
+}
+
+void append_contacts(const Tendon& tendon, const Problem& problem, bool moves,
+                     std::vector<ReferenceContact>& contacts) {
+  const std::size_t first = contacts.size();
+  contacts.resize(first + tendon.kinds.size());
+  for (std::size_t k = 0; k < tendon.kinds.size(); ++k) {
+    const auto at = static_cast<Index>(k);
+    contacts[first + k] = {tendon.segments[k].name,
+                           tendon.segments[(k + 1) % tendon.segments.size()].name, tendon.kinds[k],
+                           static_cast<double>(problem.phi(at)),
+                           moves ? static_cast<double>(problem.slip(at)) : 0.0};
+  }
+}
+
+void append_closing(const Tendon& tendon, const Problem& problem, bool moves,
+                    std::map<int, double>& closing) {
+  for (const int finger : tendon.fingers) {
+    const auto found = problem.closing.find(finger);
+    closing[finger] = moves && found != problem.closing.end() ? found->second : 0.0;
+  }
+}
+
+ReferenceResult solve_one_by_one(const std::vector<Tendon>& tendons, const std::set<int>& held,
+                                 ReferenceDirection direction, const ReferenceHardware& hardware) {
+  std::vector<Problem> problems;
+  problems.reserve(tendons.size());
+  for (const auto& tendon : tendons) problems.push_back(pose(tendon, held, direction, hardware));
+
+  ReferenceResult result{};
+  result.jams = std::any_of(problems.begin(), problems.end(),
+                            [](const Problem& problem) { return problem.jams; });
+  Real motor = 0;
+  std::map<std::string, Real> tension;
+  for (std::size_t t = 0; t < tendons.size(); ++t) {
+    const auto& segments = tendons[t].segments;
+    const bool carries = problems[t].jams == result.jams;
+    const Vector absolute =
+        carries ? tensions(problems[t]) : Vector::Zero(problems[t].length.size());
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const Real value = absolute(static_cast<Index>(i));
+      tension[segments[i].name] = value;
+      if (segments[i].place == Place::motor_side) motor += spool(segments[i], hardware) * value;
     }
+    append_contacts(tendons[t], problems[t], !result.jams, result.contacts);
+    append_closing(tendons[t], problems[t], !result.jams, result.closing);
   }
-}
-
-void add_tree_closings(const Tree& tree, bool moves, std::map<int, double>& closing) {
-  for (const int finger : tree.finger) {
-    const auto found = tree.closing.find(finger);
-    if (finger == 0) continue;
-    closing[finger] =
-        moves && found != tree.closing.end() ? static_cast<double>(found->second) : 0.0;
-  }
-}
-
-void add_tree_tensions(const std::vector<Tendon>& tendons, const Tree& tree, const Vector& value,
-                       Real motor, std::map<std::string, double>& tension) {
-  for (const Span& span : tree.spans)
-    for (Index i = 0; i < span.segments; ++i)
-      tension[tendons[span.tendon].segments[static_cast<std::size_t>(i)].name] =
-          static_cast<double>(value(span.segment + i) / motor);
+  for (const auto& [name, value] : tension)
+    result.tension[name] = static_cast<double>(value / motor);
+  return result;
 }
 
 }  // namespace
@@ -53,32 +88,12 @@ void add_tree_tensions(const std::vector<Tendon>& tendons, const Tree& tree, con
 ReferenceResult reference_tensions(const std::string& word, const std::set<int>& held,
                                    ReferenceDirection direction,
                                    const ReferenceHardware& hardware) {
-  using namespace reference;
-  const std::vector<Tendon> tendons = read_tendons(word);
-  const std::vector<Tree> trees = pose_trees(tendons, held, direction, hardware);
-  ReferenceResult result{};
-  result.jams = std::any_of(trees.begin(), trees.end(), [](const Tree& tree) { return tree.jams; });
-  std::vector<Vector> absolute;
-  Real motor = 0;
-  for (const Tree& tree : trees) {
-    const bool carries = tree.jams == result.jams && !tree.elastic.isZero(0);
-    absolute.push_back(carries ? tree_tensions(tree) : Vector::Zero(tree.length.size()));
-    for (const Span& span : tree.spans)
-      for (Index i = 0; i < span.segments; ++i) {
-        const Segment& segment = tendons[span.tendon].segments[static_cast<std::size_t>(i)];
-        if (segment.place != Place::motor_side) continue;
-        motor += spool(segment, hardware) * absolute.back()(span.segment + i);
-      }
-  }
-  PerTendon contacts(tendons.size());
-  for (std::size_t t = 0; t < trees.size(); ++t) {
-    add_tree_contacts(tendons, trees[t], !result.jams, contacts);
-    add_tree_closings(trees[t], !result.jams, result.closing);
-    add_tree_tensions(tendons, trees[t], absolute[t], motor, result.tension);
-  }
-  for (const auto& of_tendon : contacts)
-    result.contacts.insert(result.contacts.end(), of_tendon.begin(), of_tendon.end());
-  return result;
+  const std::vector<reference::Tendon> tendons = reference::read_tendons(word);
+  const bool blocks = std::any_of(tendons.begin(), tendons.end(), [](const auto& tendon) {
+    return !tendon.passes.empty() || !tendon.ends.empty();
+  });
+  return blocks ? reference::solve_trees(tendons, held, direction, hardware)
+                : reference::solve_one_by_one(tendons, held, direction, hardware);
 }
 
 }  // namespace reeve::testing

@@ -23,19 +23,19 @@
 // tendon without closing finger jams, and then the jammed tendons carry the whole motor tension.
 //
 // For eps below a threshold the minimiser no longer depends on eps (exact regularisation of the
-// linear program that e0 poses), so that nothing is extrapolated.
+// linear program that e0 poses), so that nothing is extrapolated. An interior-point method at one
+// eps finds which contacts are at a bound; from these the limit is solved in closed form and its
+// optimality conditions are verified. An unverified answer is never returned.
 //
-// Blocks (reference_tree.hpp) join tendons into trees; a tendon without blocks is a tree of its
-// own. With z_b the movement of block b,
+// Blocks (reference_tree.hpp) join tendons into trees. With z_b the movement of block b,
 //
 //     sum of c_i (e0_i + C_i z) = 0 along each tendon     gives dl, one for the closing fingers of
-//                                                         a tree, and z; D = 1
+//     a
+//                                                         tree, and z; D = 1
 //     sum_i C_ib T_i = 0 for each block                   gives the z at order eps
 //
-// The balances are no part of the potential, so cones, lengths and balances are solved together. An
-// interior-point method (reference_tree_interior.hpp) finds which contacts are at a bound; from
-// these the limit is solved in closed form and its conditions are verified
-// (reference_tree_limit.hpp). An unverified answer is never returned.
+// The balances are no part of the potential, so cones, lengths and balances are solved together
+// (reference_tree_interior.hpp), and again the limit in closed form and its conditions decide.
 #pragma once
 
 #include <functional>
@@ -103,10 +103,10 @@ struct ReferenceResult {
 
 /// `word` must be valid: tokens M F T B P, M2 and P2 and so on, fingers, plain or with suffix b, 1x
 /// at an end, and blocks Y1, Y1k, W1, W1/2:1. Throws std::invalid_argument on any other token, on a
-/// tree without motor-side segment, on a block without tail or without pass and becket or that
-/// hangs on itself, on a bar with more than one pass or with unequal arms in a loop, where the
-/// motion of the blocks is not determined and where it would open a finger. std::logic_error if the
-/// conditions could not be met.
+/// tendon (a tree) without motor-side segment, and with blocks: on one without tail or without pass
+/// and becket or that hangs on itself, on a bar with more than one pass or with unequal arms in a
+/// loop, where the motion of the blocks is not determined and where it would open a finger.
+/// std::logic_error if the conditions could not be met.
 ReferenceResult reference_tensions(const std::string& word, const std::set<int>& held,
                                    ReferenceDirection direction, const ReferenceHardware& hardware);
 

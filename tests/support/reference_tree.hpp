@@ -14,7 +14,7 @@
 #include <set>
 #include <vector>
 
-#include "tests/support/reference_hardware.hpp"
+#include "tests/support/reference_problem.hpp"
 #include "tests/support/reference_walk.hpp"
 
 namespace reeve::testing::reference {

@@ -1,4 +1,4 @@
-// What the hardware of the reference model says of one tendon, in numbers.
+// One tendon's problem of the reference model, in numbers.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,6 +14,14 @@ namespace reeve::testing::reference {
 using Real = long double;
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using Index = Eigen::Index;
+
+struct Problem {
+  bool loop = false;
+  bool jams = false;
+  Vector length, elastic, phi;    // L, E, phi
+  Vector slip;                    // zero-order slip of each contact, D = 1
+  std::map<int, double> closing;  // of the fingers that close
+};
 
 // Of the segments and contacts of one tendon. A bar has no friction.
 Vector lengths(const Tendon& tendon, const ReferenceHardware& hardware);
@@ -36,5 +44,10 @@ Real median_circulation(const Vector& phi, const Vector& slip);
 
 // Whether a contact is taken as frictionless.
 bool tied(Real phi);
+bool tied(const Problem& problem, Index k);
+
+// Throws std::invalid_argument for a tendon without a motor-side segment.
+Problem pose(const Tendon& tendon, const std::set<int>& held, ReferenceDirection direction,
+             const ReferenceHardware& hardware);
 
 }  // namespace reeve::testing::reference
