@@ -1,7 +1,5 @@
 #include "cli/api.hpp"
 
-#include <utility>
-
 namespace reeve::cli {
 
 std::vector<OptionText> api::option_texts(const std::string& subcommand) {

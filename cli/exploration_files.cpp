@@ -1,9 +1,7 @@
 #include "cli/exploration_files.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "cli/command_line.hpp"
 #include "cli/supervision.hpp"

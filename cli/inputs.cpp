@@ -7,13 +7,11 @@
 #include <cctype>
 #include <charconv>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <utility>
 
 #include "cli/choice.hpp"
 #include "core/canonical.hpp"
-#include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/idle_values.hpp"
 #include "core/nearest_name.hpp"

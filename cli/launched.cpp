@@ -7,7 +7,6 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
-#include <string>
 
 #include "core/error.hpp"
 #include "numerics/parallel.hpp"

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include "cli/terminal.hpp"
-#include "reports/document/document.hpp"
 #include "reports/document/document_latex.hpp"
 
 namespace reeve::cli {

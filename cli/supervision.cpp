@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <ctime>
 #include <iostream>
-#include <string>
 #include <utility>
 
 #include "search/explore.hpp"

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "core/version.hpp"
-#include "pages/page_words.hpp"
 
 namespace reeve::pages {
 namespace {

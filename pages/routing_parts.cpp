@@ -1,16 +1,12 @@
 #include "pages/routing_parts.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "core/motor_sides.hpp"
 #include "core/text.hpp"
 #include "drawing/schematic/schematic_svg.hpp"
 #include "pages/figures.hpp"
-#include "pages/page_words.hpp"
 #include "pages/shell/glossary.hpp"
-#include "pages/shell/html_table.hpp"
 #include "pages/shell/template.hpp"
 #include "reports/document/text_table.hpp"
 #include "reports/exploration/tradeoff_report.hpp"

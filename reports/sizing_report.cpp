@@ -6,10 +6,8 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "catalog/hardware_tables.hpp"
 #include "core/hand.hpp"
@@ -17,7 +15,6 @@
 #include "core/version.hpp"
 #include "reports/assumed_words.hpp"
 #include "reports/document/chosen_columns.hpp"
-#include "reports/document/document.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/model_text.hpp"
 #include "reports/motor_words.hpp"
@@ -25,7 +22,6 @@
 #include "reports/output/telling_digits.hpp"
 #include "reports/sizing_words.hpp"
 #include "search/evaluate/shown_objectives.hpp"
-#include "studies/sizing_study.hpp"
 
 namespace reeve::reports {
 namespace {

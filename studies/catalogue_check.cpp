@@ -6,18 +6,14 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
-#include <string>
 #include <utility>
 
 #include "catalog/fault.hpp"
-#include "catalog/number_check.hpp"
-#include "catalog/publication.hpp"
 #include "catalog/solution.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "diagnosis/verdict/share_error.hpp"
-#include "readings/measured_data.hpp"
 #include "search/enumerate/counting.hpp"
 #include "studies/indicator_check.hpp"
 #include "studies/strand_readings.hpp"

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "catalog/catalogue.hpp"
 #include "causes/term.hpp"
 #include "diagnosis/dataset.hpp"
 

@@ -4,7 +4,6 @@
 #include <set>
 #include <utility>
 
-#include "catalog/catalogue.hpp"
 #include "core/canonical.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "search/exploration_part.hpp"

@@ -1,9 +1,5 @@
 #include "studies/guess_study.hpp"
 
-#include <utility>
-
-#include "core/error.hpp"
-
 namespace reeve::studies {
 namespace {
 

@@ -4,9 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "catalog/catalogue.hpp"
 #include "core/bars.hpp"
-#include "core/canonical.hpp"
 #include "core/notation.hpp"
 #include "search/evaluate/evaluation.hpp"
 

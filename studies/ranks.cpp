@@ -3,17 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <map>
 #include <new>
-#include <string>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "core/error.hpp"
 #include "search/batches.hpp"

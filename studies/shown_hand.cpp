@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "causes/model_solver.hpp"
-#include "core/hand_closing.hpp"
 #include "search/evaluate/objectives.hpp"
 
 namespace reeve::studies {

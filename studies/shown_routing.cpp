@@ -1,6 +1,5 @@
 #include "studies/shown_routing.hpp"
 
-#include "catalog/catalogue.hpp"
 #include "causes/model_solver.hpp"
 #include "core/canonical.hpp"
 #include "core/notation.hpp"

@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
-#include "catalog/catalogue.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "readings/csv.hpp"

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <set>
 #include <utility>
-#include <vector>
 
 #include "core/error.hpp"
 #include "search/exploration_part.hpp"

@@ -12,9 +12,7 @@
 // Otherwise a design that is asked for now may have been left out then.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "store/store_reader.hpp"

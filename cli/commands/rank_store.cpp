@@ -6,20 +6,14 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/explore_flags.hpp"
-#include "cli/inputs.hpp"
 #include "core/error.hpp"
 #include "core/hand.hpp"
-#include "reports/exploration/design_list.hpp"
 #include "reports/exploration/store_description.hpp"
 #include "reports/exploration/stored_ranking_report.hpp"
-#include "studies/stored_ranking.hpp"
 
 namespace reeve::cli {
 namespace {

@@ -7,12 +7,10 @@
 #include "cli/choice.hpp"
 #include "cli/command_line.hpp"
 #include "cli/hand_inputs.hpp"
-#include "cli/inputs.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "reports/exploration/store_description.hpp"
 #include "search/enumerate/generator.hpp"
-#include "studies/exploration_study.hpp"
 
 namespace reeve::cli {
 namespace {

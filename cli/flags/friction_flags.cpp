@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <string_view>
 #include <utility>
 

@@ -1,7 +1,5 @@
 #include "cli/flags/tradeoff_flags.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "catalog/price_file.hpp"

@@ -7,8 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "drawing/schematic/places.hpp"
-
 namespace reeve::drawing {
 namespace {
 

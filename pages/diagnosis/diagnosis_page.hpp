@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "pages/shell/figure_files.hpp"
 #include "pages/shell/page.hpp"

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <set>
 #include <string_view>
-#include <vector>
 
 #include "pages/exploration/exploration_designs.hpp"
 #include "pages/page_words.hpp"

@@ -4,10 +4,6 @@
 #include <array>
 #include <cmath>
 #include <set>
-#include <string>
-#include <string_view>
-#include <unordered_map>
-#include <utility>
 
 #include "pages/exploration/exploration_answer.hpp"
 #include "pages/page_words.hpp"

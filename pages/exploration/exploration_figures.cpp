@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
 #include <utility>
 
-#include "drawing/chart/chart.hpp"
 #include "drawing/chart/chart_axis.hpp"
 #include "pages/objective_plot.hpp"
 #include "pages/page_words.hpp"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 #include <string_view>
-#include <utility>
 
 #include "core/notation.hpp"
 #include "pages/exploration/exploration_answer.hpp"

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "pages/exploration/exploration_details.hpp"
 #include "pages/shell/figure_files.hpp"

@@ -11,7 +11,6 @@
 #include "reports/data_text.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/design_list.hpp"
-#include "reports/exploration/explore_report.hpp"
 #include "reports/output/json.hpp"
 #include "reports/shared_carriage.hpp"
 #include "search/evaluate/shown_objectives.hpp"

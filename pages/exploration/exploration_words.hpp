@@ -1,7 +1,6 @@
 // Findings of an exploration, in plain words: only those that its values support.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

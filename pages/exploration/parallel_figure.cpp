@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
 #include "drawing/chart/chart.hpp"
 #include "drawing/chart/chart_axis.hpp"

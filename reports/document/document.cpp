@@ -1,7 +1,5 @@
 #include "reports/document/document.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>

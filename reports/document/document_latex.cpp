@@ -7,9 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <optional>
-#include <utility>
 
 #include "core/error.hpp"
 #include "reports/document/chosen_columns.hpp"

@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
-#include <string>
 #include <vector>
 
-#include "reports/document/document.hpp"
 #include "reports/document/text_width.hpp"
 
 namespace reeve::reports {

@@ -3,18 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
 #include <limits>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "core/text.hpp"
-#include "reports/document/document.hpp"
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/jam_words.hpp"
@@ -22,7 +17,6 @@
 #include "reports/shared_carriage.hpp"
 #include "reports/shown_value.hpp"
 #include "search/uncertainty/sweep.hpp"
-#include "studies/listed_design.hpp"
 
 namespace reeve::reports {
 namespace {

@@ -19,7 +19,6 @@
 #include "reports/exploration/tradeoff_report.hpp"
 #include "reports/model_text.hpp"
 #include "reports/motor_words.hpp"
-#include "reports/output/json.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 
 namespace reeve::reports {

@@ -11,7 +11,6 @@
 #include <iostream>
 #include <set>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "core/error.hpp"
