@@ -14,7 +14,7 @@ CLI::Validator one_of(std::vector<std::string> names) {
   const std::string set = fmt::format("{{{}}}", fmt::join(names, ","));
   return CLI::Validator(
       [names = std::move(names), set](const std::string& text) {
-        if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
+        if (std::ranges::find(names, text) != names.end()) return std::string();
         return fmt::format("{} not in {}{}", text, set, core::did_you_mean(text, names));
       },
       set);

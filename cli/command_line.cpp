@@ -79,8 +79,8 @@ InputFault option_fault(const CLI::App& command, const std::string& words) {
 }  // namespace
 
 bool is_among(const std::vector<std::string>& names, const CLI::Option& option) {
-  return std::any_of(names.begin(), names.end(),
-                     [&](const std::string& name) { return option.check_name(name); });
+  return std::ranges::any_of(names,
+                             [&](const std::string& name) { return option.check_name(name); });
 }
 
 std::string command_line(const CLI::App& command, const std::vector<std::string>& left_out) {
@@ -111,14 +111,14 @@ std::vector<std::string> given_arguments(const CLI::App& command,
 
 void parse(CLI::App& command, const std::vector<std::string>& arguments) {
   std::vector<std::string> given;
-  const auto positionals = std::find(arguments.begin(), arguments.end(), "--");
+  const auto positionals = std::ranges::find(arguments, "--");
   for (auto argument = arguments.begin(); argument != arguments.end(); ++argument) {
     const bool has_empty_value = argument < positionals && argument->starts_with("--") &&
                                  argument->find('=') == argument->size() - 1;
     given.push_back(has_empty_value ? argument->substr(0, argument->size() - 1) : *argument);
     if (has_empty_value) given.emplace_back();
   }
-  std::reverse(given.begin(), given.end());  // as CLI11 wants them
+  std::ranges::reverse(given);  // as CLI11 wants them
   command.parse(std::move(given));
 }
 

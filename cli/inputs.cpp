@@ -157,7 +157,7 @@ std::optional<std::string> FamilyOption::read(const Catalogue& catalogue) const 
   if (!is_given()) return std::nullopt;
   std::vector<std::string> families = catalogue.families();
   families.insert(families.begin(), paper_family);
-  if (std::find(families.begin(), families.end(), family_) != families.end()) return family_;
+  if (std::ranges::find(families, family_) != families.end()) return family_;
   throw InputError({.what = "--family",
                     .value = family_,
                     .expected = fmt::format("one of {}{}", fmt::join(families, ", "),
@@ -173,7 +173,7 @@ void require_svg(const std::string& file, const std::string& option) {
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const std::vector<std::string> others{".pdf", ".png", ".eps", ".ps", ".jpg", ".jpeg", ".tif"};
-  if (std::find(others.begin(), others.end(), ending) == others.end()) return;
+  if (std::ranges::find(others, ending) == others.end()) return;
   const std::string stem = std::filesystem::path(file).replace_extension(".svg").string();
   throw InputError({.what = option,
                     .value = file,
@@ -250,7 +250,7 @@ void require_hardware_to_fit(const Hardware& hardware, const std::vector<Routing
     require_in_range(builder, network, to_word(routing));
     const std::vector<std::string> here = builder.unmatched_spools(network);
     std::erase_if(spools, [&](const std::string& spool) {
-      return std::find(here.begin(), here.end(), spool) == here.end();
+      return std::ranges::find(here, spool) == here.end();
     });
   }
   if (!spools.empty()) {

@@ -39,7 +39,7 @@ constexpr std::array common_words{
 std::optional<std::string> by_meaning(const std::string& word,
                                       const std::vector<std::string>& known) {
   for (const CommonWord& common : common_words) {
-    const bool is_known = std::find(known.begin(), known.end(), common.name) != known.end();
+    const bool is_known = std::ranges::find(known, common.name) != known.end();
     if (is_known && common.word == word) return std::string(common.name);
   }
   return std::nullopt;
@@ -112,7 +112,7 @@ std::string listed(const std::vector<std::string>& words) {
 const CLI::App* owner(const CLI::App& program, const std::string& option) {
   for (const CLI::App* command : program.get_subcommands()) {
     const std::vector<std::string> names = option_names(*command);
-    if (std::find(names.begin(), names.end(), option) != names.end()) return command;
+    if (std::ranges::find(names, option) != names.end()) return command;
   }
   return nullptr;
 }

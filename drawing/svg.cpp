@@ -32,8 +32,8 @@ std::string escape(const std::string& text) {
       {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}}};
   std::string escaped;
   for (const char c : text) {
-    const auto* const found = std::find_if(entities.begin(), entities.end(),
-                                           [&](const auto& entity) { return entity.first == c; });
+    const auto* const found =
+        std::ranges::find_if(entities, [&](const auto& entity) { return entity.first == c; });
     if (found != entities.end()) {
       escaped += found->second;
     } else {

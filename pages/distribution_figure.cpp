@@ -25,7 +25,7 @@ std::string measured(const TensionDistributions& all) {
 bool any(const DistributionRows& rows, bool (*of)(const StrandShare&)) {
   for (const TensionDistribution* row : rows) {
     for (const RoutingShares& routing : row->routings) {
-      if (std::any_of(routing.strands.begin(), routing.strands.end(), of)) return true;
+      if (std::ranges::any_of(routing.strands, of)) return true;
     }
   }
   return false;
@@ -138,10 +138,10 @@ chart::Panel panel(const RoutingShares& routing, const std::string& title,
   if (!measured_name.empty()) {
     for (chart::Layer& layer : measured_layers(routing, measured_name)) add(std::move(layer));
   }
-  if (std::any_of(routing.strands.begin(), routing.strands.end(), is_published)) {
+  if (std::ranges::any_of(routing.strands, is_published)) {
     add(published_line(routing));
     add(published_points(routing, false));
-    if (std::any_of(routing.strands.begin(), routing.strands.end(), is_faulty)) {
+    if (std::ranges::any_of(routing.strands, is_faulty)) {
       add(published_points(routing, true));
     }
   }
@@ -231,12 +231,11 @@ std::string measured_text(const DistributionRows& rows, const TensionDistributio
 // "" where no routing has a choice of grasps.
 std::string grasp_of(const DistributionRows& rows) {
   const Grasp grasp = rows.front()->grasp;
-  const bool one_finger =
-      std::all_of(rows.begin(), rows.end(), [](const TensionDistribution* distribution) {
-        return std::all_of(
-            distribution->routings.begin(), distribution->routings.end(),
-            [](const RoutingShares& routing) { return routing.strands.size() <= 2; });
-      });
+  const bool one_finger = std::ranges::all_of(rows, [](const TensionDistribution* distribution) {
+    return std::ranges::all_of(distribution->routings, [](const RoutingShares& routing) {
+      return routing.strands.size() <= 2;
+    });
+  });
   return one_finger && grasp.held == 0 ? "" : grasp_words(grasp);
 }
 
@@ -254,8 +253,8 @@ std::string caption(const DistributionRows& rows, const TensionDistributions& al
         "source.";
   }
   if (any(rows, is_measured)) text += measured_text(rows, all);
-  const bool sensors = std::any_of(
-      rows.begin(), rows.end(), [](const TensionDistribution* row) { return row->sensors_differ; });
+  const bool sensors =
+      std::ranges::any_of(rows, [](const TensionDistribution* row) { return row->sensors_differ; });
   if (sensors) text += " What is wrong with the sensors is in the bars and not in the lines.";
   return text;
 }

@@ -11,7 +11,7 @@ namespace reeve::pages {
 
 std::string objective_title(const ObjectiveRow& row) {
   std::string title = row.name;
-  std::replace(title.begin(), title.end(), '_', ' ');
+  std::ranges::replace(title, '_', ' ');
   return title;
 }
 

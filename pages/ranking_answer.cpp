@@ -85,7 +85,7 @@ Json others(const RankReport& report, const Labels& labels) {
   Json list = Json::array();
   for (const BestDesigns& best : report.details->best) {
     if (!is_shown(best.objective, report.order, report.score)) continue;
-    if (std::find(best.words.begin(), best.words.end(), first) != best.words.end()) continue;
+    if (std::ranges::find(best.words, first) != best.words.end()) continue;
     std::vector<std::string> names;
     for (const std::string& word : best.words) names.push_back(label_of(report, labels, word));
     list.push_back({{"objective", objective_title(row(best.objective))},
@@ -134,9 +134,7 @@ std::string uncertainty(const RankReport& report, const Labels& labels) {
 
 std::string margin(const RankReport& report, const Labels& labels) {
   if (!report.margins || report.margins->empty()) return "";
-  const auto least = std::min_element(
-      report.margins->begin(), report.margins->end(),
-      [](const Margin& a, const Margin& b) { return a.least_lead < b.least_lead; });
+  const auto least = std::ranges::min_element(*report.margins, {}, &Margin::least_lead);
   const std::string over = label_of(report, labels, least->challenger);
   const std::string lead = fixed(least->least_lead, 4);
   if (least->least_lead > 0) {
@@ -153,7 +151,7 @@ std::string margin(const RankReport& report, const Labels& labels) {
 
 // Otherwise --margin is refused.
 bool is_by_both_means(Order order) {
-  std::sort(order.objectives.begin(), order.objectives.end());
+  std::ranges::sort(order.objectives);
   return order.objectives == Order().objectives && !order.by_score;
 }
 

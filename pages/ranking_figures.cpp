@@ -49,7 +49,7 @@ std::vector<SharedSpot> points(const RankReport& report, const Labels& labels, c
     const RankedDesign& ranked = report.designs[i].ranked;
     const double x = value(ranked.design.values, axes.first);
     const double y = value(ranked.design.values, axes.second);
-    auto found = std::find_if(result.begin(), result.end(), [&](const SharedSpot& point) {
+    auto found = std::ranges::find_if(result, [&](const SharedSpot& point) {
       return reads_alike(axes.first, point.x, x) && reads_alike(axes.second, point.y, y);
     });
     if (found == result.end())

@@ -42,8 +42,8 @@ std::vector<std::pair<Segment, double>> strands(const Network& network, const Te
       result.emplace_back(network.segments[i], state.tension[i]);
     }
   }
-  std::sort(result.begin(), result.end(),
-            [](const auto& a, const auto& b) { return a.first.number < b.first.number; });
+  std::ranges::sort(result,
+                    [](const auto& a, const auto& b) { return a.first.number < b.first.number; });
   return result;
 }
 

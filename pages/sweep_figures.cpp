@@ -40,9 +40,8 @@ std::vector<SharedCurve> shared_curves(const SweptDesigns& swept, std::size_t ob
     const SweepCurve& curve = swept.sweep.designs[i][objective];
     const ListedDesign& design = swept.designs[i];
     const std::string& name = design.name.empty() ? design.ranked.design.word : design.name;
-    const auto found = std::find_if(curves.begin(), curves.end(), [&](const SharedCurve& other) {
-      return look_alike(*other.curve, curve);
-    });
+    const auto found = std::ranges::find_if(
+        curves, [&](const SharedCurve& other) { return look_alike(*other.curve, curve); });
     if (found != curves.end()) {
       found->names += ", " + name;
     } else if (curves.size() < studies::most_swept) {
@@ -119,7 +118,7 @@ Figure sweep_figure(const SweptDesigns& swept, std::size_t objective) {
   chart.alt = sweep_alt(swept, any.objective);
   chart.panels.push_back(std::move(panel));
   std::string id = std::string("sweep-") + row(any.objective).name;
-  std::replace(id.begin(), id.end(), '_', '-');
+  std::ranges::replace(id, '_', '-');
   const std::string caption =
       any.bands.empty() ? "Lines: everything else as the hardware says."
                         : "Lines: everything else as the hardware says; areas: 5 % to 95 % of the "

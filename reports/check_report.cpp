@@ -30,7 +30,7 @@ Section reasons(const CheckReport& report, const char* title,
                 const std::vector<CheckStatus>& statuses) {
   Section section{title, std::nullopt, {}};
   for (const CheckItem& item : report.items) {
-    const bool listed = std::find(statuses.begin(), statuses.end(), item.status) != statuses.end();
+    const bool listed = std::ranges::find(statuses, item.status) != statuses.end();
     if (item.reason.empty() || !listed) continue;
     section.lines.push_back({fmt::format("{}: {}", place(item), item.reason)});
   }
@@ -43,8 +43,8 @@ Section inferences(const CheckReport& report) {
   std::vector<std::pair<std::string, std::string>> uses;
   for (const CheckItem& item : report.items) {
     if (item.inferred_from.empty()) continue;
-    const auto same = std::find_if(
-        uses.begin(), uses.end(), [&](const auto& use) { return use.first == item.inferred_from; });
+    const auto same = std::ranges::find_if(
+        uses, [&](const auto& use) { return use.first == item.inferred_from; });
     if (same == uses.end()) {
       uses.emplace_back(item.inferred_from, item.routing);
     } else if (!same->second.ends_with(item.routing)) {

@@ -14,8 +14,7 @@ namespace reeve::reports {
 namespace {
 
 bool has_objects(const ShownClosing& closing) {
-  return std::any_of(closing.motion.stops.begin(), closing.motion.stops.end(),
-                     [](const JointStop& stop) { return stop.at_object; });
+  return std::ranges::any_of(closing.motion.stops, &JointStop::at_object);
 }
 
 Table closing_table(const ShownClosing& closing) {

@@ -37,9 +37,8 @@ double logged_seconds(const ImportReport& report) {
 std::string readings_line(const ImportReport& report) {
   const std::vector<SteadyReading>& readings = report.steady.readings;
   if (readings.empty()) return "No steady reading in it.";
-  const auto pulls = std::count_if(readings.begin(), readings.end(), [](const SteadyReading& r) {
-    return r.direction == Direction::pull;
-  });
+  const auto pulls = std::ranges::count_if(
+      readings, [](const SteadyReading& r) { return r.direction == Direction::pull; });
   std::string line = fmt::format("{}: {} pulling, {} releasing", plural(readings.size(), "reading"),
                                  pulls, readings.size() - static_cast<std::size_t>(pulls));
   double least = 0;

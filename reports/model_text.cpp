@@ -97,8 +97,8 @@ std::vector<Condition> conditions_of(const Model& model) {
     for (const Covariate& x : covariates(effect)) {
       if (x.kind != CovariateKind::column) continue;
       const std::string name = covariate_name(x);
-      const bool is_new = std::none_of(conditions.begin(), conditions.end(),
-                                       [&](const Condition& other) { return other.name == name; });
+      const bool is_new = std::ranges::none_of(
+          conditions, [&](const Condition& other) { return other.name == name; });
       if (is_new) conditions.push_back({name, covariate_value(x, model.conditions, 0)});
     }
   }
@@ -127,7 +127,7 @@ std::vector<std::string> outside_notes(const Model& model) {
     for (const Covariate& x : covariates(effect)) {
       if (!lies_outside(x, model.conditions)) continue;
       const std::string note = outside_note(x, model.conditions);
-      if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+      if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
     }
   }
   return notes;

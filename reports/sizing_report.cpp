@@ -33,7 +33,7 @@ std::vector<Objective> objectives_of(const SizingReport& report) {
   if (hand(report.options.nominal.hardware)) {
     for (const Objective objective :
          {Objective::motor_force, Objective::stroke, Objective::closure}) {
-      if (std::find(goal.begin(), goal.end(), objective) == goal.end()) goal.push_back(objective);
+      if (std::ranges::find(goal, objective) == goal.end()) goal.push_back(objective);
     }
   }
   return shown_objectives(Order(goal), report.options.score);
@@ -317,8 +317,8 @@ Document sizing_document(const SizingReport& report, const std::vector<std::stri
   Document document{{{"", std::nullopt, std::move(sections.opening)}}};
   if (!columns.empty()) {
     const std::vector<std::string> of_dimensions = dimension_column_names();
-    const bool dimensions = std::find(of_dimensions.begin(), of_dimensions.end(),
-                                      columns.front()) != of_dimensions.end();
+    const bool dimensions =
+        std::ranges::find(of_dimensions, columns.front()) != of_dimensions.end();
     Section& section = dimensions ? sections.best : sections.ranking;
     section.table = with_columns(dimensions ? variable_table(report.designs.front().design, true)
                                             : sized_table(report, true),

@@ -64,10 +64,9 @@ std::string moves_text(const SizedDesign& design, const std::vector<double>& mov
 }
 
 std::string any_text(const SizedDesign& design) {
-  const bool any =
-      std::any_of(design.variables.begin(), design.variables.end(), [](const SizedVariable& sized) {
-        return !sized.sensitivity.less || !sized.sensitivity.more;
-      });
+  const bool any = std::ranges::any_of(design.variables, [](const SizedVariable& sized) {
+    return !sized.sensitivity.less || !sized.sensitivity.more;
+  });
   if (!any || design.variables.size() == 1 || !design.together) return "";
   return fmt::format(
       "any: no limit within the bounds and their width beyond; ≥: no limit up to this change, the "

@@ -277,7 +277,7 @@ std::vector<Routing> fixed_order_designs(int fingers) {
          {"M-" + walk + "-M", "M-" + walk + "-F", "F-" + walk + "-F", walk + "-P-1"}) {
       const Routing routing = canonical(parse_routing(word), FingerIdentity::distinct);
       if (!is_actuated(routing)) continue;
-      if (std::find(designs.begin(), designs.end(), routing) == designs.end()) {
+      if (std::ranges::find(designs, routing) == designs.end()) {
         designs.push_back(routing);
       }
     }

@@ -86,11 +86,11 @@ std::optional<CatalogueRanking> catalogue_ranking(const Hardware& plain, const M
 }  // namespace
 
 bool is_bench(const MeasuredData& data) {
-  return std::all_of(
-             data.routings.begin(), data.routings.end(),
+  return std::ranges::all_of(
+             data.routings,
              [](const MeasuredRouting& measured) { return measured.network.fingers < 2; }) &&
-         std::all_of(data.readings.begin(), data.readings.end(),
-                     [](const Reading& reading) { return reading.grasp.held == 0; });
+         std::ranges::all_of(data.readings,
+                             [](const Reading& reading) { return reading.grasp.held == 0; });
 }
 
 std::optional<DiagnosisReport> diagnosis_study(DiagnosisRequest request,

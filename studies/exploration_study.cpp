@@ -189,9 +189,8 @@ std::vector<ListedDesign> designs_to_sweep(const ExploreReport& report) {
   std::vector<ListedDesign> chosen;
   const auto add = [&](const ListedDesign& design) {
     const std::string& word = design.ranked.design.word;
-    const bool is_there = std::any_of(chosen.begin(), chosen.end(), [&](const ListedDesign& other) {
-      return other.ranked.design.word == word;
-    });
+    const bool is_there = std::ranges::any_of(
+        chosen, [&](const ListedDesign& other) { return other.ranked.design.word == word; });
     if (!is_there && design.same_as.empty() && chosen.size() < most_swept) chosen.push_back(design);
   };
   if (!report.top.empty()) add(report.top.front());

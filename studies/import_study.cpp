@@ -19,7 +19,7 @@ namespace {
 
 // The first sample that bears it.
 std::size_t line_of_label(const LoggedSeries& series, std::size_t label) {
-  const auto first = std::find(series.label.begin(), series.label.end(), label);
+  const auto first = std::ranges::find(series.label, label);
   return series.lines[static_cast<std::size_t>(first - series.label.begin())];
 }
 

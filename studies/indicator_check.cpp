@@ -99,10 +99,9 @@ void require_sheaths_that_slide_so(const Publication& publication, const Catalog
     refuse(fmt::format("expected {} segments, one for each sheath", solution.sheaths.size()));
   }
   for (const MotorSideRule& rule : row.motor_side) {
-    const bool found = std::any_of(
-        solution.sheaths.begin(), solution.sheaths.end(), [&](const SheathEnds& sheath) {
-          return rule == MotorSideRule{static_cast<int>(sheath.strand) + 1, sheath.ratio >= 1};
-        });
+    const bool found = std::ranges::any_of(solution.sheaths, [&](const SheathEnds& sheath) {
+      return rule == MotorSideRule{static_cast<int>(sheath.strand) + 1, sheath.ratio >= 1};
+    });
     if (!found) {
       refuse(fmt::format("no sheath slides to the {} at strand {}",
                          rule.to_motor ? "motor" : "hand", rule.strand));

@@ -32,7 +32,7 @@ bool is_published(const CatalogueEntry* entry, const MeasuredRouting& routing, G
 std::string place_of(const PrintedList& list) { return list.drawn ? list.source : ""; }
 
 int sheaths_in(const std::vector<ContactKind>& contacts) {
-  return static_cast<int>(std::count(contacts.begin(), contacts.end(), ContactKind::sheath));
+  return static_cast<int>(std::ranges::count(contacts, ContactKind::sheath));
 }
 
 // Sheath losses that listed faults leave out between two strands.
@@ -87,7 +87,7 @@ std::vector<std::vector<double>> rows_of(const MeasuredData& data, const ShareEr
     }
     auto strands = strand_tensions(data, reading);
     const auto is_taut = [](double tension) { return tension > 0; };
-    if (strands && std::any_of(strands->begin(), strands->end(), is_taut)) {
+    if (strands && std::ranges::any_of(*strands, is_taut)) {
       rows.push_back(std::move(*strands));
     }
   }
@@ -120,16 +120,15 @@ std::string name_of(const PublishedModel& model, const ModelKey& key, const Cata
   for (const CatalogueEntry& entry : catalogue.entries) {
     for (const PrintedList& list : printed_lists(entry)) {
       if (list.kind != PrintedKind::share || key_of(list) != key ||
-          std::find(sources.begin(), sources.end(), list.source) != sources.end()) {
+          std::ranges::find(sources, list.source) != sources.end()) {
         continue;
       }
       sources.push_back(list.source);
-      used.push_back(
-          std::any_of(model.lines.begin(), model.lines.end(),
-                      [&](const PublishedLine& line) { return line.source == list.source; }));
+      used.push_back(std::ranges::any_of(
+          model.lines, [&](const PublishedLine& line) { return line.source == list.source; }));
     }
   }
-  const auto first = std::find(used.begin(), used.end(), true);
+  const auto first = std::ranges::find(used, true);
   const auto last = std::find(used.rbegin(), used.rend(), true).base();
   const auto at = [&](auto place) { return sources.begin() + (place - used.begin()); };
   if (last - first > 2 && std::find(first, last, false) == last) {

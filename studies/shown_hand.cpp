@@ -67,9 +67,9 @@ void add_motion(const MotorParts& motor, MotorDemand& demand) {
 }
 
 bool is_worth_closing(const std::vector<FingerJoint>& joints) {
-  return has_guides(joints) ||
-         std::any_of(joints.begin(), joints.end(),
-                     [](const FingerJoint& joint) { return joint.object_deg.has_value(); });
+  return has_guides(joints) || std::ranges::any_of(joints, [](const FingerJoint& joint) {
+           return joint.object_deg.has_value();
+         });
 }
 
 std::vector<ShownClosing> shown_closings(const Hand& hand, int fingers) {
@@ -78,8 +78,8 @@ std::vector<ShownClosing> shown_closings(const Hand& hand, int fingers) {
   for (int f = 1; f <= fingers; ++f) {
     const std::vector<FingerJoint>& joints = hand.finger(f).joints;
     if (!is_worth_closing(joints)) continue;
-    const auto alike = std::find_if(closings.begin(), closings.end(),
-                                    [&](const ShownClosing& c) { return c.joints == joints; });
+    const auto alike =
+        std::ranges::find_if(closings, [&](const ShownClosing& c) { return c.joints == joints; });
     if (alike != closings.end()) {
       alike->fingers.push_back(f);
     } else {
@@ -163,7 +163,7 @@ class HandStudy {
           Mechanics there = plain_;
           there.travel_mm = before_mm + travel_mm / 2;
           before_mm += travel_mm;
-          if (*std::max_element(closings.begin(), closings.end()) == 0) return;
+          if (*std::ranges::max_element(closings) == 0) return;
           solver_.set_routing(word_, network_, there);
           const FingerPullArray pulls = finger_pulls_of(network_, pulled(at_end));
           for (std::size_t f = 0; f < closings.size(); ++f) {
@@ -236,7 +236,7 @@ StrokeReach stroke_reach(const Hand& hand, const Network& network, const Mechani
              });
   // Sums of stretches miss the end, and each other, by a rounding error.
   constexpr double rounding = 1e-9;
-  const double least = *std::min_element(reach.closed.begin(), reach.closed.end());
+  const double least = *std::ranges::min_element(reach.closed);
   for (std::size_t f = 0; f < reach.closed.size(); ++f) {
     if (reach.closed[f] <= least + rounding) reach.last.push_back(static_cast<int>(f) + 1);
   }

@@ -24,7 +24,7 @@ auto key(const SizedRouting& routing, GoalOf of, Better better) {
 }
 
 void sort(std::vector<SizedRouting>& designs, GoalOf of, Better better) {
-  std::sort(designs.begin(), designs.end(), [&](const SizedRouting& a, const SizedRouting& b) {
+  std::ranges::sort(designs, [&](const SizedRouting& a, const SizedRouting& b) {
     return key(a, of, better) < key(b, of, better);
   });
 }
@@ -34,7 +34,7 @@ void sort(std::vector<SizedRouting>& designs, GoalOf of, Better better) {
 std::vector<Routing> explored_designs(const std::filesystem::path& folder, std::size_t count) {
   CsvReader csv = CsvReader::open(folder / "designs.csv");
   const std::vector<std::string>& columns = csv.header().fields;
-  const auto column = std::find(columns.begin(), columns.end(), "routing");
+  const auto column = std::ranges::find(columns, "routing");
   if (column == columns.end()) {
     throw InputError({.where = csv.name(),
                       .what = "no column 'routing'",

@@ -12,8 +12,8 @@ namespace reeve::studies {
 namespace {
 
 bool decides_by_score(const Order& order) {
-  return order.by_score || std::find(order.objectives.begin(), order.objectives.end(),
-                                     Objective::score) != order.objectives.end();
+  return order.by_score ||
+         std::ranges::find(order.objectives, Objective::score) != order.objectives.end();
 }
 
 bool is_same_score(const Score& a, const Score& b) { return to_text(a) == to_text(b); }
@@ -27,21 +27,21 @@ bool is_same_order(const ExploreOptions& a, const ExploreOptions& b) {
 // True if `a` has this constraint of `b`; a bound on another score is another constraint.
 bool has_too(const ExploreOptions& a, const Constraint& constraint, const ExploreOptions& b) {
   if (constraint.objective == Objective::score && !is_same_score(a.score, b.score)) return false;
-  return std::any_of(a.constraints.begin(), a.constraints.end(),
-                     [&](const Constraint& other) { return other.text == constraint.text; });
+  return std::ranges::any_of(
+      a.constraints, [&](const Constraint& other) { return other.text == constraint.text; });
 }
 
 // All constraints of the store.
 bool asks_again(const ExploreOptions& stored, const ExploreOptions& asked) {
-  return std::all_of(
-      stored.constraints.begin(), stored.constraints.end(),
-      [&](const Constraint& constraint) { return has_too(asked, constraint, stored); });
+  return std::ranges::all_of(stored.constraints, [&](const Constraint& constraint) {
+    return has_too(asked, constraint, stored);
+  });
 }
 
 // True if a design that is better in everything meets the constraint whenever the other one does.
 bool admits_what_is_better(const Constraint& constraint, const Order& order) {
   const auto& ranked = order.objectives;
-  if (std::find(ranked.begin(), ranked.end(), constraint.objective) == ranked.end()) return false;
+  if (std::ranges::find(ranked, constraint.objective) == ranked.end()) return false;
   const char side = row(constraint.objective).better == Better::higher ? '>' : '<';
   return constraint.comparison.front() == side;
 }
@@ -129,7 +129,7 @@ std::vector<Gap> gaps(const ExploreOptions& stored, const ExploreOptions& asked)
   if (!is_same_order(stored, asked)) gaps.push_back(Gap::other_order);
   const auto& now = asked.constraints;
   if (!asks_again(stored, asked)) gaps.push_back(Gap::constraint_dropped);
-  if (!std::all_of(now.begin(), now.end(), [&](const Constraint& constraint) {
+  if (!std::ranges::all_of(now, [&](const Constraint& constraint) {
         return has_too(stored, constraint, asked) ||
                admits_what_is_better(constraint, stored.order);
       })) {

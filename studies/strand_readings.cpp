@@ -34,8 +34,8 @@ std::vector<double> strand_readings(const Publication& publication, const Catalo
                              readings.file, entry.name)});
   }
   const auto strands = strand_tensions(readings, *found);
-  const bool taut = strands && std::all_of(strands->begin(), strands->end(),
-                                           [](double tension) { return tension > 0; });
+  const bool taut =
+      strands && std::ranges::all_of(*strands, [](double tension) { return tension > 0; });
   if (!taut) {
     throw InputError(
         {.where = fmt::format("{}:{}", readings.file, found->line),

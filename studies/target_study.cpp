@@ -36,7 +36,7 @@ bool operator<(const TargetCandidate& a, const TargetCandidate& b) { return a.ke
 double beyond_met(double miss) { return miss <= met_miss ? 0 : on_grid(miss); }
 
 bool is_one_tree(const Network& network) {
-  return std::all_of(network.tendons.begin(), network.tendons.end(), [&](const TendonSpan& tendon) {
+  return std::ranges::all_of(network.tendons, [&](const TendonSpan& tendon) {
     return tendon.tree == network.tendons.front().tree;
   });
 }
@@ -228,8 +228,9 @@ TargetReport target_study(const ExploreOptions& explored, const SizingOptions& s
   } catch (const Stopped&) {
     report.partial = true;
   }
-  std::sort(report.designs.begin(), report.designs.end(),
-            [](const TargetedDesign& a, const TargetedDesign& b) { return key(a) < key(b); });
+  std::ranges::sort(report.designs, [](const TargetedDesign& a, const TargetedDesign& b) {
+    return key(a) < key(b);
+  });
   return report;
 }
 

@@ -24,7 +24,7 @@ std::vector<Routing> routings_with_shares(const MeasuredData& data) {
   std::vector<std::size_t> seen;
   for (const MeasuredShares& group : measured_shares(data).groups) {
     const Routing& routing = data.routings[group.routing].routing;
-    if (std::find(seen.begin(), seen.end(), group.routing) != seen.end()) continue;
+    if (std::ranges::find(seen, group.routing) != seen.end()) continue;
     seen.push_back(group.routing);
     if (routings.empty() || finger_count(routing) == finger_count(routings.front())) {
       routings.push_back(routing);
@@ -41,12 +41,11 @@ std::vector<FrictionCase> cases(const Hardware& hardware, const DiagnosisResult&
                                 const std::vector<PublishedModel>& published) {
   const Model standing{hardware, {}, result.model.conditions};
   std::vector<FrictionCase> list;
-  const bool stands_among_them =
-      std::any_of(published.begin(), published.end(),
-                  [&](const PublishedModel& model) { return has_coefficient(hardware, model.mu); });
+  const bool stands_among_them = std::ranges::any_of(
+      published, [&](const PublishedModel& model) { return has_coefficient(hardware, model.mu); });
   if (!stands_among_them) list.push_back({FrictionKind::model, standing});
   for (const PublishedModel& model : published) {
-    const bool is_there = std::any_of(list.begin(), list.end(), [&](const FrictionCase& which) {
+    const bool is_there = std::ranges::any_of(list, [&](const FrictionCase& which) {
       return has_coefficient(which.model.hardware, model.mu);
     });
     if (!is_there) list.push_back(with_coefficient(standing, model.mu));
@@ -96,7 +95,7 @@ class Distributions {
     return request_.data->routings[group.routing].word;
   }
   bool is_asked_for(const std::string& word) const {
-    return std::find(words_.begin(), words_.end(), word) != words_.end();
+    return std::ranges::find(words_, word) != words_.end();
   }
 
   const DistributionRequest& request_;
@@ -127,9 +126,8 @@ void Distributions::read_data() {
                                 " are left out: it is not among the routings, written like this",
                             {}});
   }
-  const bool with_sheath_angle =
-      std::any_of(data.readings.begin(), data.readings.end(),
-                  [](const Reading& reading) { return reading.sheath_angle_rad.has_value(); });
+  const bool with_sheath_angle = std::ranges::any_of(
+      data.readings, [](const Reading& reading) { return reading.sheath_angle_rad.has_value(); });
   if (with_sheath_angle) {
     data_->notes.push_back(
         {NoteKind::not_compared,
@@ -147,7 +145,7 @@ void Distributions::read_data() {
 
 std::vector<Grasp> Distributions::with_measured_ones(std::vector<Grasp> grasps) const {
   for (const MeasuredShares& group : measured_) {
-    if (std::find(grasps.begin(), grasps.end(), group.grasp) == grasps.end()) {
+    if (std::ranges::find(grasps, group.grasp) == grasps.end()) {
       grasps.push_back(group.grasp);
     }
   }

@@ -38,7 +38,7 @@ std::vector<TableRouting> table_routings(const std::vector<Routing>& routings,
     one.network = expand(routing);
     require_actuated(one.network, one.word);
     for (const Segment& segment : one.network.segments) {
-      const auto at = std::find(segments.begin(), segments.end(), segment);
+      const auto at = std::ranges::find(segments, segment);
       one.place.push_back(static_cast<std::size_t>(at - segments.begin()));
     }
   }
@@ -79,8 +79,8 @@ class SampleSolver {
   explicit SampleSolver(const TensionTableRequest& request)
       : request_(request), builder_(request.hardware), varied_(request.hardware) {
     const auto varies = [&](ContactKind kind) {
-      return std::any_of(request.columns.begin(), request.columns.end(),
-                         [&](const CoefficientColumn& column) { return column.kind == kind; });
+      return std::ranges::any_of(
+          request.columns, [&](const CoefficientColumn& column) { return column.kind == kind; });
     };
     for (const ContactKind kind :
          {ContactKind::tube, ContactKind::bearing, ContactKind::sheath, ContactKind::block}) {
@@ -148,8 +148,8 @@ std::vector<Segment> table_segments(const std::vector<Routing>& routings) {
     const Network network = expand(routing);
     segments.insert(segments.end(), network.segments.begin(), network.segments.end());
   }
-  std::sort(segments.begin(), segments.end(),
-            [](const Segment& a, const Segment& b) { return order_of(a) < order_of(b); });
+  std::ranges::sort(segments,
+                    [](const Segment& a, const Segment& b) { return order_of(a) < order_of(b); });
   segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
   return segments;
 }
@@ -165,11 +165,10 @@ bool fill_tension_table(const TensionTableRequest& request, std::span<double> ta
   const std::vector<TableRouting> routings = table_routings(request.routings, segments);
   const std::size_t grasps = request.grasps.size();
   const std::size_t total = routings.size() * request.samples;
-  const bool complete = std::all_of(routings.begin(), routings.end(), [&](const auto& routing) {
-    return routing.place.size() == segments.size();
-  });
+  const bool complete = std::ranges::all_of(
+      routings, [&](const auto& routing) { return routing.place.size() == segments.size(); });
   if (!complete) {
-    std::fill(table.begin(), table.end(), std::numeric_limits<double>::quiet_NaN());
+    std::ranges::fill(table, std::numeric_limits<double>::quiet_NaN());
   }
   Workers workers(request.threads);
   std::vector<std::optional<SampleSolver>> solvers(workers.count());

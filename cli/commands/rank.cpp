@@ -76,7 +76,7 @@ AskedRoutings asked_routings(const RankFlags& flags, const Catalogue& catalogue)
 
 // Otherwise the first design need not have the greatest product, and a lead says nothing.
 void require_the_two_means(Order order) {
-  std::sort(order.objectives.begin(), order.objectives.end());
+  std::ranges::sort(order.objectives);
   const std::vector means{Objective::uniformity_mean, Objective::efficiency_mean};
   if (order.objectives == means && !order.by_score) return;
   throw InputError(
@@ -139,8 +139,8 @@ void write_page(const RankReport& report, const std::filesystem::path& folder,
 template <typename Of, typename Value>
 Value common(const std::vector<Routing>& routings, Of of, const Value& otherwise) {
   const Value first = of(routings.front());
-  const bool is_common = std::all_of(routings.begin(), routings.end(),
-                                     [&](const Routing& routing) { return of(routing) == first; });
+  const bool is_common =
+      std::ranges::all_of(routings, [&](const Routing& routing) { return of(routing) == first; });
   return is_common ? first : otherwise;
 }
 

@@ -65,12 +65,11 @@ ExploreOptions stored_options(const ParsedExplore& explore, const StoreReader& s
 RankArguments as_asked(const RankArguments& stored, const RankArguments& asked) {
   RankArguments arguments = asked;
   for (const std::string& argument : stored) {
-    const bool is_asked =
-        std::any_of(askable.begin(), askable.end(), [&](const std::string& option) {
-          return sets(argument, option) &&
-                 std::any_of(asked.begin(), asked.end(),
-                             [&](const std::string& other) { return sets(other, option); });
-        });
+    const bool is_asked = std::ranges::any_of(askable, [&](const std::string& option) {
+      return sets(argument, option) && std::ranges::any_of(asked, [&](const std::string& other) {
+               return sets(other, option);
+             });
+    });
     if (!is_asked) arguments.push_back(argument);
   }
   return arguments;
@@ -80,9 +79,8 @@ RankArguments as_asked(const RankArguments& stored, const RankArguments& asked) 
 RankArguments asked_arguments(const CLI::App& rank) {
   RankArguments arguments;
   for (const std::string& argument : given_arguments(rank, showing)) {
-    const bool is_asked =
-        std::any_of(askable.begin(), askable.end(),
-                    [&](const std::string& option) { return sets(argument, option); });
+    const bool is_asked = std::ranges::any_of(
+        askable, [&](const std::string& option) { return sets(argument, option); });
     if (is_asked) arguments.push_back(argument);
   }
   return arguments;

@@ -203,8 +203,7 @@ void read_bounds(const SizeFlags& flags, const VaryTable& table, SizingOptions& 
 }
 
 bool counts_score(const Goal& goal) {
-  return std::find(goal.factors.begin(), goal.factors.end(), Objective::score) !=
-         goal.factors.end();
+  return std::ranges::find(goal.factors, Objective::score) != goal.factors.end();
 }
 
 // Weights that nothing asks for would be passed over.
@@ -263,9 +262,9 @@ std::vector<std::string> read_columns(const SizeFlags& flags, const Hardware& ha
   std::vector<std::string> known = dimension_column_names();
   const std::vector<std::string> of_routings = sized_column_names(hardware);
   const std::string first = flags.tables.columns.substr(0, flags.tables.columns.find(','));
-  if (std::find(of_routings.begin(), of_routings.end(), first) != of_routings.end()) {
+  if (std::ranges::find(of_routings, first) != of_routings.end()) {
     known = of_routings;
-  } else if (std::find(known.begin(), known.end(), first) == known.end()) {
+  } else if (std::ranges::find(known, first) == known.end()) {
     known.insert(known.end(), of_routings.begin(), of_routings.end());
   }
   return flags.tables.read_columns(flags.format, known).chosen;

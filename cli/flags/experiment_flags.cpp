@@ -94,7 +94,7 @@ std::vector<Direction> read_directions(const std::string& text) {
   for (const std::string& item : comma_separated(text)) {
     const Direction direction = item == "release" ? Direction::release : Direction::pull;
     const bool known = item == "release" || item == "pull";
-    if (!known || std::count(directions.begin(), directions.end(), direction) > 0) {
+    if (!known || std::ranges::count(directions, direction) > 0) {
       throw InputError({.where = fmt::format("--directions '{}'", text),
                         .value = item,
                         .expected = "pull, release, or pull,release"});
@@ -157,8 +157,7 @@ std::vector<Segment> all_channels(const std::vector<PlannedRouting>& routings, b
       if (!strands_only || segment.kind == SegmentKind::strand) channels.push_back(segment);
     }
   }
-  std::sort(channels.begin(), channels.end(),
-            [&](const Segment& a, const Segment& b) { return key(a) < key(b); });
+  std::ranges::sort(channels, [&](const Segment& a, const Segment& b) { return key(a) < key(b); });
   channels.erase(std::unique(channels.begin(), channels.end(),
                              [&](const Segment& a, const Segment& b) { return key(a) == key(b); }),
                  channels.end());
@@ -178,8 +177,8 @@ std::vector<Segment> read_channels(const std::string& text,
                         .expected = "strands, all, or a list of segments such as T1,T2,a"});
     }
     channels.push_back(*segment);
-    if (std::count_if(channels.begin(), channels.end(),
-                      [&](const Segment& s) { return segment_name(s) == item; }) > 1) {
+    if (std::ranges::count_if(channels, [&](const Segment& s) { return segment_name(s) == item; }) >
+        1) {
       throw InputError({.where = option, .what = fmt::format("'{}' is given twice", item)});
     }
   }

@@ -17,8 +17,8 @@ namespace {
 }
 
 bool counts_cost(const Score& score) {
-  return std::any_of(score.terms.begin(), score.terms.end(),
-                     [](const ScoreTerm& term) { return term.objective == Objective::cost; });
+  return std::ranges::any_of(
+      score.terms, [](const ScoreTerm& term) { return term.objective == Objective::cost; });
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ void TradeoffFlags::require_prices(const Order& order, const Score& score,
                                    const std::vector<Constraint>& constraints) const {
   if (prices.is_given()) return;
   const auto& objectives = order.objectives;
-  if (std::find(objectives.begin(), objectives.end(), Objective::cost) != objectives.end()) {
+  if (std::ranges::find(objectives, Objective::cost) != objectives.end()) {
     fail_without_prices("--objectives", "cost");
   }
   if (counts_cost(score)) fail_without_prices("--score", "cost");

@@ -83,8 +83,8 @@ bool has_room_for_all(const std::vector<Tick>& ticks, Along along) {
 void drop_overlapping(std::vector<Tick>& ticks, Along along) {
   std::vector<Tick*> kept;
   for (Tick& tick : ticks) {
-    const bool free = std::none_of(kept.begin(), kept.end(),
-                                   [&](const Tick* other) { return overlap(tick, *other, along); });
+    const bool free =
+        std::ranges::none_of(kept, [&](const Tick* other) { return overlap(tick, *other, along); });
     if (free) {
       kept.push_back(&tick);
     } else {
@@ -150,8 +150,7 @@ LaidAxis lay_bent(const Axis& axis, const Extent& extent, const Stretch& stretch
     laid.ticks.push_back({value, place(laid.scale, value), tick_text(value, axis.format)});
   }
   drop_overlapping(laid.ticks, along);
-  std::sort(laid.ticks.begin(), laid.ticks.end(),
-            [](const Tick& a, const Tick& b) { return a.value < b.value; });
+  std::ranges::sort(laid.ticks, {}, &Tick::value);
   return laid;
 }
 
@@ -213,8 +212,8 @@ std::vector<double> bent_ticks(const Extent& extent, double linear_to) {
     threes.push_back(times_ten_to(3, power));
   }
   // The greatest first: they say how far the axis reaches.
-  std::reverse(ones.begin(), ones.end());
-  std::reverse(threes.begin(), threes.end());
+  std::ranges::reverse(ones);
+  std::ranges::reverse(threes);
   ones.insert(ones.end(), threes.begin(), threes.end());
   std::vector<double> ticks;
   const auto add = [&](double value) {

@@ -124,16 +124,15 @@ constexpr double between = 16;
 // Layers of one name and kind look alike; the first speaks for all.
 void add_entry(const Layer& layer, std::vector<LegendEntry>& entries) {
   if (layer.name.empty()) return;
-  auto found = std::find_if(entries.begin(), entries.end(), [&](const LegendEntry& entry) {
-    return entry.layers.front()->name == layer.name;
-  });
+  auto found = std::ranges::find_if(
+      entries, [&](const LegendEntry& entry) { return entry.layers.front()->name == layer.name; });
   if (found == entries.end()) {
     entries.push_back({{&layer}, {}, {}});
     return;
   }
-  const bool is_new =
-      std::none_of(found->layers.begin(), found->layers.end(),
-                   [&](const Layer* other) { return other->marks.index() == layer.marks.index(); });
+  const bool is_new = std::ranges::none_of(found->layers, [&](const Layer* other) {
+    return other->marks.index() == layer.marks.index();
+  });
   if (is_new) found->layers.push_back(&layer);
 }
 

@@ -89,10 +89,9 @@ std::vector<ChartText> tick_lines(const Tick& tick, double width, std::size_t mo
 
 // True if each category has room for its text below its place.
 bool lie_flat(const std::vector<Tick>& ticks, double width) {
-  return std::all_of(ticks.begin(), ticks.end(), [&](const Tick& tick) {
+  return std::ranges::all_of(ticks, [&](const Tick& tick) {
     const std::vector<ChartText> lines = tick_lines(tick, width, most_lines);
-    return std::all_of(lines.begin(), lines.end(),
-                       [](const ChartText& line) { return line.whole.empty(); });
+    return std::ranges::all_of(lines, [](const ChartText& line) { return line.whole.empty(); });
   });
 }
 

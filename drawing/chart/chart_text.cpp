@@ -51,8 +51,8 @@ Box beside(const WantedLabel& label, Point side, double away) {
 }
 
 std::size_t covered(const Box& box, const std::vector<Box>& marks) {
-  return static_cast<std::size_t>(std::count_if(
-      marks.begin(), marks.end(), [&](const Box& mark) { return overlap(box, mark, 0); }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(marks, [&](const Box& mark) { return overlap(box, mark, 0); }));
 }
 
 std::optional<PlacedLabel> best_place(const WantedLabel& label, const std::vector<Box>& marks,
@@ -63,7 +63,7 @@ std::optional<PlacedLabel> best_place(const WantedLabel& label, const std::vecto
     for (const Point& side : sides) {
       const Box box = beside(label, side, ring);
       const auto in_the_way = [&](const Box& other) { return overlap(box, other, gap); };
-      if (!within(box, frame) || std::any_of(taken.begin(), taken.end(), in_the_way)) continue;
+      if (!within(box, frame) || std::ranges::any_of(taken, in_the_way)) continue;
       const std::size_t covers = covered(box, marks);
       if (best && covers >= fewest) continue;
       best = PlacedLabel{box, ring > 0};

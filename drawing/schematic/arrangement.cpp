@@ -86,8 +86,8 @@ class Arranging {
     for (std::size_t i = 0; i < size; ++i) {
       if (is_free(i) || all_.fittings[i].kind == FittingKind::finger) order.push_back(i);
     }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return place[a] < place[b]; });
+    std::ranges::stable_sort(order,
+                             [&](std::size_t a, std::size_t b) { return place[a] < place[b]; });
     return order;
   }
 
@@ -116,7 +116,7 @@ class Arranging {
   }
 
   double place_in_order(std::size_t fitting) const {
-    const auto at = std::find(order_.begin(), order_.end(), fitting);
+    const auto at = std::ranges::find(order_, fitting);
     return static_cast<double>(at - order_.begin());
   }
 
@@ -143,7 +143,7 @@ class Arranging {
   }
 
   static PortOrder reversed(PortOrder ports) {
-    std::reverse(ports.begin(), ports.end());
+    std::ranges::reverse(ports);
     return ports;
   }
 
@@ -170,7 +170,7 @@ class Arranging {
     for (std::size_t i = 0; i < all_.fittings.size(); ++i) {
       Fitting& fitting = all_.fittings[i];
       if (fitting.inside == nowhere) continue;
-      const auto finger = std::find(order_.begin(), order_.end(), fitting.inside);
+      const auto finger = std::ranges::find(order_, fitting.inside);
       fitting.inside = nowhere;
       if (fitting.carrier == nowhere) order_.insert(finger + 1, i);
     }
@@ -278,8 +278,7 @@ class Arranging {
     PortOrder ports = all_.of(leg).ports;
     const std::size_t twin = all_.ports[leg].twin;
     if (twin == nowhere) return ports;
-    std::iter_swap(std::find(ports.begin(), ports.end(), leg),
-                   std::find(ports.begin(), ports.end(), twin));
+    std::iter_swap(std::ranges::find(ports, leg), std::ranges::find(ports, twin));
     return ports;
   }
 

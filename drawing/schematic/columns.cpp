@@ -67,7 +67,7 @@ class Spacing {
  private:
   std::vector<double> leftmost(std::size_t from) const {
     Spacing pushed = *this;
-    std::fill(pushed.x_.begin(), pushed.x_.end(), -infinity);
+    std::ranges::fill(pushed.x_, -infinity);
     pushed.x_[from] = 0;
     while (pushed.push()) continue;
     return pushed.x_;
@@ -75,7 +75,7 @@ class Spacing {
 
   // Returns a fitting that demands around a circle push on and on; nowhere if all can be met.
   std::size_t contradiction() {
-    std::fill(pushed_by_.begin(), pushed_by_.end(), nowhere);
+    std::ranges::fill(pushed_by_, nowhere);
     std::size_t at = nowhere;
     while (at == nowhere && push()) at = on_circle();
     return at;

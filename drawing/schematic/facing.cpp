@@ -67,7 +67,7 @@ class Levels {
   void set() {
     mark_.assign(all_.fittings.size(), Mark::none);
     for (std::size_t i = 0; i < all_.fittings.size(); ++i) visit(i);
-    std::reverse(order_.begin(), order_.end());
+    std::ranges::reverse(order_);
     std::size_t deepest = 0;
     for (const std::size_t upper : order_) {
       Fitting& fitting = all_.fittings[upper];

@@ -176,7 +176,7 @@ bool Fittings::faces_down(std::size_t port) const {
 }
 
 bool is_anchored(const Network& network, int finger) {
-  return std::none_of(network.contacts.begin(), network.contacts.end(), [&](const Contact& c) {
+  return std::ranges::none_of(network.contacts, [&](const Contact& c) {
     return c.place == ContactPlace::tip && c.finger == finger;
   });
 }

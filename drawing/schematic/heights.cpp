@@ -75,8 +75,8 @@ class Measuring {
 
  private:
   bool has_carriage() const {
-    return std::any_of(all_.fittings.begin(), all_.fittings.end(),
-                       [](const Fitting& f) { return f.kind == FittingKind::sheath; });
+    return std::ranges::any_of(all_.fittings,
+                               [](const Fitting& f) { return f.kind == FittingKind::sheath; });
   }
 
   void need_room(std::size_t segment) {
@@ -129,10 +129,9 @@ class Measuring {
     const double labels = out_.level.back() + sheath_length / 2 + 8;
     out_.carriage_top = labels + label_height + 8;
     out_.tied = out_.carriage_top + 12;
-    const bool any_tied =
-        std::any_of(all_.segments.begin(), all_.segments.end(), [](const SegmentEnds& s) {
-          return s.loose == LooseEnd::tied && (s.port[0] == nowhere || s.port[1] == nowhere);
-        });
+    const bool any_tied = std::ranges::any_of(all_.segments, [](const SegmentEnds& s) {
+      return s.loose == LooseEnd::tied && (s.port[0] == nowhere || s.port[1] == nowhere);
+    });
     const std::size_t channel = all_.sheath_level;
     bands_[channel].upper =
         (any_tied ? out_.tied + knot_size / 2 + 2 : out_.carriage_top + 2) - labels;

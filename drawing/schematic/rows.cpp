@@ -133,8 +133,7 @@ class RowPlacement {
     for (std::size_t i = 0; i < net_.segments.size(); ++i) {
       if (kind(i) == SegmentKind::hand) blocks_.push_back({0, key_of_stretch(i), i});
     }
-    std::stable_sort(blocks_.begin(), blocks_.end(),
-                     [](const ColumnBlock& a, const ColumnBlock& b) { return a.key < b.key; });
+    std::ranges::stable_sort(blocks_, {}, &ColumnBlock::key);
   }
 
   void add_columns(std::size_t block) {
@@ -201,9 +200,8 @@ class RowPlacement {
       arc.right = column_at_[arc.right_port];
       found.push_back(arc);
     }
-    std::stable_sort(found.begin(), found.end(), [](const Arc& a, const Arc& b) {
-      return a.right - a.left < b.right - b.left;
-    });
+    std::ranges::stable_sort(
+        found, [](const Arc& a, const Arc& b) { return a.right - a.left < b.right - b.left; });
     for (std::size_t i = 0; i < found.size(); ++i) {
       for (std::size_t above = 0; above < i; ++above) {
         const bool apart = found[above].right < found[i].left || found[i].right < found[above].left;
@@ -308,10 +306,10 @@ class RowPlacement {
     double y = 0;
     arch_ = y + 12;
     const auto is_stretch = [](const ColumnBlock& block) { return block.finger == 0; };
-    if (std::any_of(blocks_.begin(), blocks_.end(), is_stretch)) y = arch_ + 20 + label_height;
+    if (std::ranges::any_of(blocks_, is_stretch)) y = arch_ + 20 + label_height;
     fixed_ = y + 12;
     const auto is_fixed = [](const Column& column) { return column.port == nowhere; };
-    if (std::any_of(columns_.begin(), columns_.end(), is_fixed)) y = fixed_ + fixation_depth + 4;
+    if (std::ranges::any_of(columns_, is_fixed)) y = fixed_ + fixation_depth + 4;
     y = place_rows(hand_arcs_, y);
     constexpr double least = 34;
     out_.hand = {-flesh, 0, out_.width + flesh, std::max(y + 10, least)};

@@ -161,8 +161,8 @@ class Layouter {
 
   std::size_t tail_of(std::size_t block) const {
     const std::vector<std::size_t>& ports = all_.fittings[all_.blocks[block]].ports;
-    return *std::find_if(ports.begin(), ports.end(),
-                         [&](std::size_t port) { return is_tail(all_.ports[port].role); });
+    return *std::ranges::find_if(ports,
+                                 [&](std::size_t port) { return is_tail(all_.ports[port].role); });
   }
 
   void add_block(std::size_t i) {
@@ -218,7 +218,7 @@ class Layouter {
 
   Path path(std::size_t segment) const {
     Path path = inward(segment, 0);
-    std::reverse(path.begin(), path.end());
+    std::ranges::reverse(path);
     for (const LevelPiece& piece : places_.pieces[segment]) {
       const double radius = std::min(piece.rounding, std::abs(piece.to - piece.from) / 2);
       if (radius == 0) continue;
@@ -332,8 +332,7 @@ class Layouter {
       }
       all.push_back(one);
     }
-    std::sort(all.begin(), all.end(),
-              [](const Hanging& a, const Hanging& b) { return a.left < b.left; });
+    std::ranges::sort(all, {}, &Hanging::left);
     std::vector<Hanging> runs;
     for (const Hanging& one : all) {
       if (!runs.empty() && (runs.back().motors == one.motors || one.left <= runs.back().right)) {

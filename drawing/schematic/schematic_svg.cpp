@@ -233,7 +233,7 @@ std::string description(const Schematic& schematic) {
 }
 
 bool has_slack(const TensionState& state) {
-  return std::find(state.tension.begin(), state.tension.end(), 0) != state.tension.end();
+  return std::ranges::find(state.tension, 0) != state.tension.end();
 }
 
 // `role`: an image is one thing to a screen reader, a group has things inside.
@@ -317,8 +317,8 @@ std::string schematic_sheet(const std::vector<Schematic>& schematics, std::size_
     bottom = std::max(bottom, top + layout.height);
   }
   const double right = width * static_cast<double>(std::min(columns, schematics.size()));
-  const bool with_tension = std::any_of(schematics.begin(), schematics.end(),
-                                        [](const Schematic& s) { return s.state != nullptr; });
+  const bool with_tension =
+      std::ranges::any_of(schematics, [](const Schematic& s) { return s.state != nullptr; });
   DrawnParts parts;
   for (const Schematic& schematic : schematics) {
     parts |= schematic.layout.parts;

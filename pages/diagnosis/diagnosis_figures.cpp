@@ -29,11 +29,11 @@ std::vector<FigureModel> models(const DiagnosisReport& report) {
 std::vector<std::string> routings(const std::vector<ReadingMark>& marks) {
   std::vector<std::string> found;
   for (const ReadingMark& mark : marks) {
-    if (std::find(found.begin(), found.end(), mark.routing) == found.end()) {
+    if (std::ranges::find(found, mark.routing) == found.end()) {
       found.push_back(mark.routing);
     }
   }
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   return found;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
@@ -23,7 +24,7 @@ bool is_equivalent(const DiagnosisResult& result, const Causes& model) {
   for (const Causes& group : result.indistinguishable) {
     for (std::size_t i = 1; i < group.size(); ++i) {
       Causes equivalent = names_of(result.causes);
-      std::replace(equivalent.begin(), equivalent.end(), group.front(), group[i]);
+      std::ranges::replace(equivalent, group.front(), group[i]);
       if (model == equivalent) return true;
     }
   }
@@ -32,15 +33,14 @@ bool is_equivalent(const DiagnosisResult& result, const Causes& model) {
 
 // Rows that do not read as the file says, or a sensor that is not like the others.
 bool asks_for_a_look(const DiagnosisResult& result) {
-  return std::any_of(result.notes.begin(), result.notes.end(), [](const DataNote& note) {
+  return std::ranges::any_of(result.notes, [](const DataNote& note) {
     return note.kind == NoteKind::other_direction || note.kind == NoteKind::outlier_groups;
   });
 }
 
 bool is_refuted(const DiagnosisResult& result, const Causes& model) {
   const Causes& refuted = result.not_confirmed;
-  return model.size() == 1 &&
-         std::find(refuted.begin(), refuted.end(), model.front()) != refuted.end();
+  return model.size() == 1 && std::ranges::find(refuted, model.front()) != refuted.end();
 }
 
 }  // namespace
@@ -94,8 +94,7 @@ std::string standing(const DiagnosisResult& result, const std::vector<std::strin
 }
 
 std::vector<WeighedCauses> by_training_gain(std::vector<WeighedCauses> weighed) {
-  std::stable_sort(weighed.begin(), weighed.end(),
-                   [](const auto& a, const auto& b) { return a.gain > b.gain; });
+  std::ranges::stable_sort(weighed, std::ranges::greater{}, &WeighedCauses::gain);
   return weighed;
 }
 

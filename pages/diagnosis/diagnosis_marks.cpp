@@ -66,11 +66,11 @@ std::vector<std::size_t> chosen(std::size_t count, std::size_t most) {
   for (std::size_t i = 0; i < count; ++i) {
     order.emplace_back(count > most ? uniform(1, stream, i) : 0, i);
   }
-  std::sort(order.begin(), order.end());
+  std::ranges::sort(order);
   order.resize(std::min(count, most));
   std::vector<std::size_t> result;
   for (const auto& [key, i] : order) result.push_back(i);
-  std::sort(result.begin(), result.end());
+  std::ranges::sort(result);
   return result;
 }
 

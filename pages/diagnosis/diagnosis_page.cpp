@@ -96,8 +96,8 @@ Json ranking_values(const std::optional<CatalogueRanking>& ranking) {
 
 void add_evidence_figures(const DiagnosisReport& report, Json& values, Figures& figures) {
   const DiagnosisResult& result = report.result;
-  const bool sizes = std::any_of(result.causes.begin(), result.causes.end(),
-                                 [](const NamedCause& cause) { return !cause.parameters.empty(); });
+  const bool sizes = std::ranges::any_of(
+      result.causes, [](const NamedCause& cause) { return !cause.parameters.empty(); });
   values["parameters_figure"] = sizes ? figures.add(parameters_figure(report)) : "";
   values["weighed_figure"] = result.weighed.empty() ? "" : figures.add(weighed_figure(report));
   values["runs_figure"] = result.run_gains.empty() ? "" : figures.add(runs_figure(report));
@@ -128,7 +128,7 @@ std::string own_notes(TensionDistributions distributions, const std::vector<Data
   SharedData& data = *distributions.data;
   data.file.clear();
   std::erase_if(data.notes, [&](const DataNote& note) {
-    return std::any_of(said.begin(), said.end(), [&](const DataNote& other) {
+    return std::ranges::any_of(said, [&](const DataNote& other) {
       return other.text == note.text && other.lines == note.lines;
     });
   });

@@ -33,7 +33,7 @@ PlacesAlong along(const std::vector<ReadingMark>& marks, const MarkColumn& colum
       continue;
     }
     std::vector<std::string>& known = result.categories;
-    const auto found = std::find(known.begin(), known.end(), mark.*column.category);
+    const auto found = std::ranges::find(known, mark.*column.category);
     result.places.push_back(static_cast<double>(found - known.begin()));
     if (found == known.end()) known.push_back(mark.*column.category);
   }

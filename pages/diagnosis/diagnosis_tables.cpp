@@ -202,8 +202,7 @@ std::string expected_table(const DiagnosisResult& result) {
 std::string ranking_table(const CatalogueRanking& ranking) {
   Table table{{number_column("rank"), text_column("before"), text_column("after")}, {}};
   for (std::size_t i = 0; i < ranking.after.size(); ++i) {
-    const auto was = std::find(ranking.before.begin(), ranking.before.end(), ranking.after[i]) -
-                     ranking.before.begin();
+    const auto was = std::ranges::find(ranking.before, ranking.after[i]) - ranking.before.begin();
     const bool moved = was != static_cast<std::ptrdiff_t>(i);
     table.add({std::to_string(i + 1), i < ranking.before.size() ? ranking.before[i] : "",
                moved ? fmt::format("{} (was {})", ranking.after[i], was + 1) : ranking.after[i]},
@@ -217,7 +216,7 @@ std::string notes_table(const DiagnosisResult& result) {
       {text_column("what"), text_column("note"), number_column("lines"), text_column("which")}, {}};
   for (const DataNote& note : result.notes) {
     std::string kind = note_kind_name(note.kind);
-    std::replace(kind.begin(), kind.end(), '_', ' ');
+    std::ranges::replace(kind, '_', ' ');
     table.add({kind, note.text, note.lines.empty() ? none : std::to_string(note.lines.size()),
                lines_text(note.lines)});
   }

@@ -54,7 +54,7 @@ void add_noise_limit(const NoiseLimit& limit, chart::Panel& panel) {
 std::vector<WeighedCauses> drawn_models(const DiagnosisResult& result) {
   std::vector<WeighedCauses> models = by_training_gain(result.weighed);
   if (models.size() <= most_models) return models;
-  const auto named = std::find_if(models.begin(), models.end(), [&](const WeighedCauses& model) {
+  const auto named = std::ranges::find_if(models, [&](const WeighedCauses& model) {
     return standing(result, model.causes) == "named";
   });
   const auto last = models.begin() + most_models - 1;
@@ -128,8 +128,7 @@ std::string weighed_caption(const DiagnosisReport& report) {
       "band where noise puts it in 95 % of data sets.";
   text += drawn_text(result);
   const std::vector<WeighedCauses> drawn = drawn_models(result);
-  if (std::any_of(drawn.begin(), drawn.end(),
-                  [](const WeighedCauses& model) { return !model.held_out; })) {
+  if (std::ranges::any_of(drawn, [](const WeighedCauses& model) { return !model.held_out; })) {
     text += " A row without a mark: that model has no tensions in some held-out reading.";
   }
   return text;

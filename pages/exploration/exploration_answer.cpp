@@ -28,8 +28,7 @@ const ListedDesign* knee(const ListedTradeoff& tradeoff) {
 std::vector<Objective> ranked_and_constrained(const ExploreOptions& options) {
   std::vector<Objective> objectives = options.order.objectives;
   for (const Constraint& constraint : options.constraints) {
-    const bool told =
-        std::find(objectives.begin(), objectives.end(), constraint.objective) != objectives.end();
+    const bool told = std::ranges::find(objectives, constraint.objective) != objectives.end();
     if (!told && !row(constraint.objective).is_count()) objectives.push_back(constraint.objective);
   }
   return objectives;

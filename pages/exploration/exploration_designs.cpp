@@ -158,9 +158,9 @@ std::vector<PageDesign> page_designs(const ExploreReport& report, std::size_t mo
 std::vector<Objective> page_objectives(const ExploreReport& report) {
   std::vector<Objective> shown = search::shown_objectives(
       report.options.order, report.options.score, report.options.constraints);
-  const bool told = std::find(shown.begin(), shown.end(), Objective::blocks) != shown.end();
+  const bool told = std::ranges::find(shown, Objective::blocks) != shown.end();
   if (!told && report.options.generator.parts.blocks > 0) shown.push_back(Objective::blocks);
-  const bool priced = std::find(shown.begin(), shown.end(), Objective::cost) != shown.end();
+  const bool priced = std::ranges::find(shown, Objective::cost) != shown.end();
   if (!priced && report.options.prices) shown.push_back(Objective::cost);
   return shown;
 }
@@ -200,7 +200,7 @@ Json band_columns(const std::vector<PageDesign>& designs, const std::vector<Obje
                   const std::vector<Objective>& ranking) {
   Json columns = Json::array();
   for (const Objective objective : shown) {
-    const bool is_ranked = std::find(ranking.begin(), ranking.end(), objective) != ranking.end();
+    const bool is_ranked = std::ranges::find(ranking, objective) != ranking.end();
     Json low = Json::array();
     Json high = Json::array();
     bool any = false;

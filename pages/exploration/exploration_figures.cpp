@@ -46,8 +46,8 @@ Point reduced(const std::vector<Point>& points, Choose choose) {
 
 // Returns the points that none beats in both values, the greatest x first; greater is better.
 std::vector<Point> unbeaten(std::vector<Point> points) {
-  std::sort(points.begin(), points.end(),
-            [](const Point& a, const Point& b) { return a.x != b.x ? a.x > b.x : a.y > b.y; });
+  std::ranges::sort(
+      points, [](const Point& a, const Point& b) { return a.x != b.x ? a.x > b.x : a.y > b.y; });
   std::vector<Point> edge;
   for (const Point& at : points) {
     if (edge.empty() || at.y > edge.back().y) edge.push_back(at);
@@ -127,7 +127,7 @@ std::map<std::size_t, std::string> known_labels(const std::vector<PageDesign>& d
   }
   std::map<std::size_t, std::string> labels;
   for (auto& [at, shared] : spots) {
-    std::sort(shared.names.begin(), shared.names.end());
+    std::ranges::sort(shared.names);
     labels[shared.first] = fmt::format("{}", fmt::join(shared.names, ", "));
   }
   return labels;
@@ -144,8 +144,7 @@ chart::Paths edge_of_front(const std::vector<PageDesign>& designs, const TwoObje
 }
 
 bool has_front(const std::vector<PageDesign>& designs) {
-  return std::any_of(designs.begin(), designs.end(),
-                     [](const PageDesign& design) { return design.front == 1; });
+  return std::ranges::any_of(designs, [](const PageDesign& design) { return design.front == 1; });
 }
 
 // The live plot, of other axes, has the line where the first has none.
@@ -169,9 +168,8 @@ PointsSpan span(const std::vector<PageDesign>& designs, const TwoObjectives& axe
 }
 
 bool counts(const std::vector<Objective>& ranking, const TwoObjectives& axes) {
-  return std::all_of(axes.begin(), axes.end(), [&](Objective axis) {
-    return std::find(ranking.begin(), ranking.end(), axis) != ranking.end();
-  });
+  return std::ranges::all_of(
+      axes, [&](Objective axis) { return std::ranges::find(ranking, axis) != ranking.end(); });
 }
 
 std::vector<chart::Layer> point_layers(const std::vector<PageDesign>& designs,
@@ -287,9 +285,8 @@ ParetoPanel pareto_panel(const std::vector<PageDesign>& designs,
   }
   chart::Points rings;
   for (const AdvisedDesign& design : advised) {
-    const auto found = std::find_if(designs.begin(), designs.end(), [&](const PageDesign& each) {
-      return each.word == design.word;
-    });
+    const auto found = std::ranges::find_if(
+        designs, [&](const PageDesign& each) { return each.word == design.word; });
     if (found == designs.end()) continue;
     const Point at = spot(*found, axes);
     rings.spots.push_back({at.x, at.y, title(*found, axes, 1), design.label});

@@ -35,7 +35,7 @@ Json ranking_json(const ExploreReport& report) {
   const std::vector<Objective> objectives = page_objectives(report);
   Json list = Json::array();
   for (const Objective objective : report.options.order.objectives) {
-    list.push_back(std::find(objectives.begin(), objectives.end(), objective) - objectives.begin());
+    list.push_back(std::ranges::find(objectives, objective) - objectives.begin());
   }
   return list;
 }
@@ -56,7 +56,7 @@ std::vector<Routing> drawn_routings(const ExploreReport& report) {
     routings.push_back(design.routing);
   }
   for (const Routing& known : report.options.references) {
-    if (std::find(routings.begin(), routings.end(), known) == routings.end()) {
+    if (std::ranges::find(routings, known) == routings.end()) {
       routings.push_back(known);
     }
   }
@@ -200,9 +200,8 @@ PageFiles exploration_page(const ExplorationView& view) {
   for (GlossaryTerm& term : objective_terms(page_objectives(report)))
     terms.push_back(std::move(term));
   body["glossary"] = glossary_html("Front, alike and the objectives: what they mean", terms);
-  const auto sampled =
-      std::count_if(held.designs.begin(), held.designs.end(),
-                    [](const PageDesign& design) { return design.kind == DesignKind::sample; });
+  const auto sampled = std::ranges::count_if(
+      held.designs, [](const PageDesign& design) { return design.kind == DesignKind::sample; });
   body["has_sample"] = sampled > 0;
   body["title"] = title(report);
   body["held_text"] = held_text(report, held.listed) + sample_text(sampled);
@@ -225,9 +224,8 @@ PageFiles exploration_page(const ExplorationView& view) {
   if (const std::optional<ExploredSchematic> jammed = jammed_schematic(report)) {
     const ShownGrasp& shown = report.jammed_first->grasps.front();
     body["jammed"] = {{"held", held_words(shown.grasp)}, {"html", jammed->html}};
-    const bool is_drawn = std::any_of(figures.begin(), figures.end(), [&](const FigureFile& other) {
-      return other.id == jammed->file.id;
-    });
+    const bool is_drawn = std::ranges::any_of(
+        figures, [&](const FigureFile& other) { return other.id == jammed->file.id; });
     if (!is_drawn) figures.push_back(jammed->file);
   }
   const std::size_t without = page_html(page(view, held, {}, body)).size();

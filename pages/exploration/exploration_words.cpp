@@ -42,7 +42,7 @@ std::string with_parts(const ListedDesign& design, const std::vector<Objective>&
                                                      {Objective::blocks, "floating block"}};
   std::vector<std::string> texts;
   for (const auto& [objective, noun] : parts) {
-    if (std::find(objectives.begin(), objectives.end(), objective) != objectives.end()) continue;
+    if (std::ranges::find(objectives, objective) != objectives.end()) continue;
     // A hand without floating blocks is not mentioned.
     if (objective == Objective::blocks && get(design, objective) == 0) continue;
     texts.push_back(plural(static_cast<std::uint64_t>(get(design, objective)), noun));
@@ -114,8 +114,8 @@ std::optional<std::size_t> best_known(const ExploreReport& report, std::size_t r
 std::string known_text(const ExploreReport& report) {
   const std::vector<ReferenceStanding>& references = report.result.references;
   if (references.empty()) return "";
-  const bool won = std::any_of(references.begin(), references.end(),
-                               [](const ReferenceStanding& known) { return known.rank == 1; });
+  const bool won = std::ranges::any_of(
+      references, [](const ReferenceStanding& known) { return known.rank == 1; });
   const std::optional<std::size_t> best = best_known(report, won ? 1 : 0);
   if (!best) {
     return won ? "It is a known routing; no other of these is among the listed designs."
@@ -159,9 +159,8 @@ std::string draws_text(const ExploreReport& report, const std::vector<ListedDesi
   const auto share = [](const ListedDesign& design) {
     return design.distribution ? design.distribution->first : 0;
   };
-  const ListedDesign& most = *std::max_element(
-      listed.begin(), listed.end(),
-      [&](const ListedDesign& a, const ListedDesign& b) { return share(a) < share(b); });
+  const ListedDesign& most = *std::ranges::max_element(
+      listed, [&](const ListedDesign& a, const ListedDesign& b) { return share(a) < share(b); });
   std::string text = fmt::format(
       "With friction coefficients drawn {} times from their ranges, {} stays first in {} of "
       "the draws.",

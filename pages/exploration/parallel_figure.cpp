@@ -71,7 +71,7 @@ chart::Paths density(const DesignHeights& heights, const std::vector<PageDesign>
       const auto bin = static_cast<std::size_t>(at * density_bins);
       ++counts[std::min(bin, density_bins - 1)];
     }
-    const std::size_t most = *std::max_element(counts.begin(), counts.end());
+    const std::size_t most = *std::ranges::max_element(counts);
     for (std::size_t bin = 0; bin < density_bins; ++bin) {
       if (counts[bin] == 0) continue;
       const double half =

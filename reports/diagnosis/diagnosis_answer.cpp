@@ -104,8 +104,8 @@ std::string rest_text(const DiagnosisReport& report) {
 }
 
 bool cannot_be_told_apart(const DiagnosisResult& result, const std::string& name) {
-  return std::any_of(result.indistinguishable.begin(), result.indistinguishable.end(),
-                     [&](const auto& names) { return names.front() == name; });
+  return std::ranges::any_of(result.indistinguishable,
+                             [&](const auto& names) { return names.front() == name; });
 }
 
 std::string explains_text(const DiagnosisReport& report, const NamedCause& cause) {
@@ -179,8 +179,8 @@ std::string leads_line(const DiagnosisReport& report) {
 }
 
 bool some_are_far(const DiagnosisResult& result) {
-  return std::any_of(result.notes.begin(), result.notes.end(),
-                     [](const DataNote& note) { return note.kind == NoteKind::outlier_forecast; });
+  return std::ranges::any_of(
+      result.notes, [](const DataNote& note) { return note.kind == NoteKind::outlier_forecast; });
 }
 
 std::string none_answer(const DiagnosisReport& report) {

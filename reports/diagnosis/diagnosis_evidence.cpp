@@ -16,8 +16,8 @@ namespace reeve::reports {
 namespace {
 
 const PublishedLine* line_of(const PublishedModel& model, std::size_t group) {
-  const auto found = std::find_if(model.lines.begin(), model.lines.end(),
-                                  [&](const PublishedLine& line) { return line.group == group; });
+  const auto found = std::ranges::find_if(
+      model.lines, [&](const PublishedLine& line) { return line.group == group; });
   return found == model.lines.end() ? nullptr : &*found;
 }
 
@@ -35,9 +35,8 @@ std::string stretch_text(const DiagnosisReport& report, const Loss& loss) {
 // On a bench no grasp is worth a column.
 void leave_out_grasps(const DiagnosisReport& report, Table& table) {
   if (!is_bench(report.data)) return;
-  const auto held =
-      std::find_if(table.columns.begin(), table.columns.end(),
-                   [](const TableColumn& column) { return column.heading == "held"; });
+  const auto held = std::ranges::find_if(
+      table.columns, [](const TableColumn& column) { return column.heading == "held"; });
   const auto at = held - table.columns.begin();
   table.columns.erase(held);
   for (TableRow& row : table.rows) row.cells.erase(row.cells.begin() + at);
@@ -157,8 +156,8 @@ std::vector<std::string> places_text(const DiagnosisReport& report,
   for (const Cell& cell : cells) {
     const Reading& reading = report.data.readings[cell.reading];
     const Place place{cell.channel, reading.routing, reading.grasp.held, reading.direction};
-    auto found = std::find_if(places.begin(), places.end(),
-                              [&](const auto& known) { return known.first == place; });
+    auto found =
+        std::ranges::find_if(places, [&](const auto& known) { return known.first == place; });
     if (found == places.end()) found = places.insert(found, {place, {}});
     found->second.push_back(cell);
   }

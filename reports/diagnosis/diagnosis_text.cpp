@@ -183,9 +183,7 @@ Section left_section(const DiagnosisReport& report) {
 // Than that it is right.
 bool says_more_than_the_model(const DiagnosisReport& report) {
   const std::vector<Loss>& losses = report.result.losses;
-  return !report.result.model.effects.empty() ||
-         std::any_of(losses.begin(), losses.end(),
-                     [](const Loss& loss) { return loss.stands_apart; });
+  return !report.result.model.effects.empty() || std::ranges::any_of(losses, &Loss::stands_apart);
 }
 
 Section shares_section(const DiagnosisReport& report) {

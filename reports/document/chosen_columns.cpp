@@ -26,7 +26,7 @@ std::size_t column_of(const Table& table, const std::string& wanted) {
 }
 
 bool holds(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return std::ranges::find(names, name) != names.end();
 }
 
 [[noreturn]] void fail(const std::string& text, const std::string& name,

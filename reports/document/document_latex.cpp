@@ -209,8 +209,7 @@ std::string alignment(const std::vector<LatexColumn>& columns, double width_pt) 
 
 std::string tabular(std::vector<LatexColumn> columns, double width_pt) {
   if (width_pt > 0) wrap_texts(columns, width_pt);
-  const bool wrapped = std::any_of(columns.begin(), columns.end(),
-                                   [](const LatexColumn& column) { return column.wrapped; });
+  const bool wrapped = std::ranges::any_of(columns, &LatexColumn::wrapped);
   std::string text = "\\begin{tabular}{" + alignment(columns, width_pt) + "}\n  \\toprule\n" +
                      headings_text(columns, width_pt, wrapped) + "  \\midrule\n";
   for (std::size_t r = 0; r < columns.front().cells.size(); ++r) {
@@ -244,10 +243,9 @@ std::string tabular(std::vector<LatexColumn> columns, double width_pt) {
 
 // Returns the dispensable column to leave out next.
 std::vector<LatexColumn>::iterator least_wanted(std::vector<LatexColumn>& columns) {
-  return std::max_element(columns.begin(), columns.end(),
-                          [](const LatexColumn& a, const LatexColumn& b) {
-                            return a.about.dispensable < b.about.dispensable;
-                          });
+  return std::ranges::max_element(columns, [](const LatexColumn& a, const LatexColumn& b) {
+    return a.about.dispensable < b.about.dispensable;
+  });
 }
 
 std::vector<std::vector<LatexColumn>> parts_of(const std::vector<LatexColumn>& columns,

@@ -22,7 +22,7 @@ std::string line_text(const std::string& line, Ink ink, const TextStyle& look) {
 
 // Titles are broken where they are written so, unless the window breaks them elsewhere.
 std::string title_text(std::string title, const TextStyle& look) {
-  if (look.width > 0) std::replace(title.begin(), title.end(), '\n', ' ');
+  if (look.width > 0) std::ranges::replace(title, '\n', ' ');
   std::vector<DocumentLine> lines;
   add_lines(lines, title);
   std::string text;

@@ -41,9 +41,7 @@ Table with_columns(const Table& table, const std::vector<std::size_t>& chosen) {
 
 // The column to leave out next, or the number of columns if none may be.
 std::size_t most_dispensable(const Table& table) {
-  const auto most = std::max_element(
-      table.columns.begin(), table.columns.end(),
-      [](const TableColumn& a, const TableColumn& b) { return a.dispensable < b.dispensable; });
+  const auto most = std::ranges::max_element(table.columns, {}, &TableColumn::dispensable);
   return most->dispensable == 0 ? table.columns.size()
                                 : static_cast<std::size_t>(most - table.columns.begin());
 }

@@ -54,7 +54,7 @@ class WrappedLines {
 
 std::size_t text_width(const std::string& text) {
   return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return !continues_a_code_point(c); }));
+      std::ranges::count_if(text, [](char c) { return !continues_a_code_point(c); }));
 }
 
 std::string padded(const std::string& text, std::size_t width, bool is_text) {

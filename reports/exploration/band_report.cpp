@@ -30,7 +30,7 @@ std::string short_name(const ListedDesign& design) {
 // best.
 std::string surest_text(const std::vector<ListedDesign>& shown) {
   constexpr double nearly_all = 0.95;
-  const auto sure = std::find_if(shown.begin(), shown.end(), [](const ListedDesign& design) {
+  const auto sure = std::ranges::find_if(shown, [](const ListedDesign& design) {
     return design.constraints_met.value_or(0) >= nearly_all;
   });
   if (sure == shown.begin()) return "";

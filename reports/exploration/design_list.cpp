@@ -82,8 +82,8 @@ std::vector<DrawnColumn> drawn_columns(bool with_hand, bool with_constraints) {
 }
 
 bool with_distributions(const std::vector<ListedDesign>& designs) {
-  return std::any_of(designs.begin(), designs.end(),
-                     [](const ListedDesign& design) { return design.distribution.has_value(); });
+  return std::ranges::any_of(
+      designs, [](const ListedDesign& design) { return design.distribution.has_value(); });
 }
 
 // An objective in a column, with as many decimals as the column's cells take.
@@ -95,14 +95,14 @@ struct ColumnRow {
 using ColumnRows = std::vector<ColumnRow>;
 
 bool has_blocks(const std::vector<ListedDesign>& designs) {
-  return std::any_of(designs.begin(), designs.end(), [](const ListedDesign& design) {
+  return std::ranges::any_of(designs, [](const ListedDesign& design) {
     return value(design.ranked.design.values, Objective::blocks) > 0;
   });
 }
 
 bool has_alike(const std::vector<ListedDesign>& designs) {
-  return std::any_of(designs.begin(), designs.end(),
-                     [](const ListedDesign& design) { return !design.equivalent.empty(); });
+  return std::ranges::any_of(designs,
+                             [](const ListedDesign& design) { return !design.equivalent.empty(); });
 }
 
 bool has_cost(const std::vector<ListedDesign>& designs) {
@@ -123,9 +123,9 @@ std::vector<ColumnRows> all_columns(const std::vector<ListedDesign>& designs) {
 std::vector<ColumnRows> objective_columns(const std::vector<ListedDesign>& designs,
                                           std::vector<Objective> shown, const ListColumns& wanted) {
   if (!wanted.chosen.empty()) return all_columns(designs);
-  const bool told = std::find(shown.begin(), shown.end(), Objective::blocks) != shown.end();
+  const bool told = std::ranges::find(shown, Objective::blocks) != shown.end();
   if (!told && has_blocks(designs)) shown.push_back(Objective::blocks);
-  const bool priced = std::find(shown.begin(), shown.end(), Objective::cost) != shown.end();
+  const bool priced = std::ranges::find(shown, Objective::cost) != shown.end();
   if (!priced && has_cost(designs)) shown.push_back(Objective::cost);
   std::vector<ColumnRows> columns;
   for (const Objective objective : shown) {

@@ -77,9 +77,8 @@ Section front_section(const ExploreReport& report, const ListColumns& columns) {
     text +=
         fmt::format(", and {} more that equal one of them", report.result.front_equals_left_out);
   }
-  const auto lines = static_cast<std::size_t>(
-      std::count_if(report.front.begin(), report.front.end(),
-                    [](const ListedDesign& design) { return design.same_as.empty(); }));
+  const auto lines = static_cast<std::size_t>(std::ranges::count_if(
+      report.front, [](const ListedDesign& design) { return design.same_as.empty(); }));
   if (lines < report.front.size()) {
     text += fmt::format("; {} equivalent to others", report.front.size() - lines);
   }
@@ -110,9 +109,9 @@ Section known_section(const ExploreReport& report) {
                number_column("uniformity"), number_column("efficiency")},
               {}};
   const std::vector<ReferenceStanding>& references = report.result.references;
-  const bool some_unranked = std::any_of(
-      references.begin(), references.end(),
-      [&](const ReferenceStanding& known) { return !why_unranked(report, known).empty(); });
+  const bool some_unranked = std::ranges::any_of(references, [&](const ReferenceStanding& known) {
+    return !why_unranked(report, known).empty();
+  });
   if (some_unranked) table.columns.push_back(text_column("reason"));
   for (std::size_t i = 0; i < references.size(); ++i) {
     const ReferenceStanding& reference = references[i];

@@ -24,7 +24,7 @@ std::optional<std::string> text_of(const std::filesystem::path& file) {
 
 // A table without rows has none.
 bool may_lack_stamp(const std::filesystem::path& file, const std::string& text) {
-  return file.extension() == ".csv" && std::count(text.begin(), text.end(), '\n') < 2;
+  return file.extension() == ".csv" && std::ranges::count(text, '\n') < 2;
 }
 
 }  // namespace

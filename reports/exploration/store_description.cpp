@@ -34,8 +34,7 @@ Description store_description(const ExploreReport& planned,
     description.settings.push_back(
         {key, value.dump(-1, ' ', false, Json::error_handler_t::replace)});
   }
-  std::sort(description.settings.begin(), description.settings.end(),
-            [](const StoredSetting& a, const StoredSetting& b) { return a.key < b.key; });
+  std::ranges::sort(description.settings, {}, &StoredSetting::key);
   description.known = planned.reference_names;
   for (const Constraint& constraint : planned.options.constraints) {
     description.limits.push_back(constraint.text);

@@ -18,7 +18,7 @@ constexpr std::size_t targets_shown = 10;
 
 // "2.00:1.00:1.00": pulls relative to the least that is wanted, so that their sum is the target's.
 std::string ratio_text(const std::vector<double>& shares, const Goal& goal) {
-  const double unit = *std::min_element(goal.target.begin(), goal.target.end());
+  const double unit = *std::ranges::min_element(goal.target);
   std::string text;
   for (const double share : shares) {
     text += (text.empty() ? "" : ":") + fixed(share / unit, 2);

@@ -18,8 +18,7 @@ bool is_plain(char c) {
 
 std::string shell_word(const std::string& text) {
   // At its beginning '=' asks some shells for the path of a command.
-  const bool plain =
-      !text.empty() && text.front() != '=' && std::all_of(text.begin(), text.end(), is_plain);
+  const bool plain = !text.empty() && text.front() != '=' && std::ranges::all_of(text, is_plain);
   if (plain) return text;
   std::string quoted = "'";
   for (const char c : text) {

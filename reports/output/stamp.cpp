@@ -35,7 +35,7 @@ std::string_view last_field(std::string_view record) {
 }
 
 std::string stamped_csv(const std::string& csv, const Stamp& stamp) {
-  const auto lines = static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n'));
+  const auto lines = static_cast<std::size_t>(std::ranges::count(csv, '\n'));
   std::string stamped;
   stamped.reserve(csv.size() + (lines + 1) * (stamp.id.size() + 1));
   std::string_view rest = csv;

@@ -9,7 +9,7 @@ namespace reeve::reports {
 
 int telling_digits(std::vector<double> values, int at_least) {
   constexpr int most = 12;
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   values.erase(std::unique(values.begin(), values.end()), values.end());
   const auto tells = [&](int digits) {
     return std::adjacent_find(values.begin(), values.end(), [&](double a, double b) {
