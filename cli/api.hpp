@@ -12,8 +12,8 @@
 
 #include "cli/option_texts.hpp"
 #include "core/error.hpp"
-#include "reports/exploration/count_report.hpp"
 #include "reports/exploration/explore_report.hpp"
+#include "reports/exploration/part_words.hpp"
 #include "studies/catalogue_check.hpp"
 #include "studies/catalogue_list.hpp"
 #include "studies/comparison_study.hpp"

@@ -8,7 +8,7 @@
 #include "core/finger_guides.hpp"
 #include "core/text.hpp"
 #include "drawing/chart/chart.hpp"
-#include "reports/closing_report.hpp"
+#include "reports/hand_report.hpp"
 
 namespace reeve::pages {
 namespace {

@@ -13,9 +13,8 @@
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/design_list.hpp"
-#include "reports/exploration/robust_report.hpp"
+#include "reports/jam_words.hpp"
 #include "reports/motor_words.hpp"
-#include "reports/shared_carriage.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 
 namespace reeve::pages {

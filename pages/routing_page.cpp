@@ -14,7 +14,6 @@
 #include "reports/document/text_table.hpp"
 #include "reports/hand_report.hpp"
 #include "reports/jam_words.hpp"
-#include "reports/shared_carriage.hpp"
 
 namespace reeve::pages {
 namespace {

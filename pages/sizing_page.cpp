@@ -12,7 +12,6 @@
 #include "reports/document/chosen_columns.hpp"
 #include "reports/hand_report.hpp"
 #include "reports/sizing_report.hpp"
-#include "reports/sizing_words.hpp"
 
 namespace reeve::pages {
 namespace {

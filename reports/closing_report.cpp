@@ -1,5 +1,3 @@
-#include "reports/closing_report.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,6 +7,7 @@
 
 #include "core/finger_guides.hpp"
 #include "core/text.hpp"
+#include "reports/hand_report.hpp"
 
 namespace reeve::reports {
 namespace {

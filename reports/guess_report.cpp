@@ -1,5 +1,3 @@
-#include "reports/guess_report.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "readings/columns.hpp"
 #include "readings/fault_list.hpp"
 #include "reports/data_text.hpp"
+#include "reports/import_report.hpp"
 #include "reports/output/json.hpp"
 
 namespace reeve::reports {

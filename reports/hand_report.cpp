@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "core/text.hpp"
-#include "reports/closing_report.hpp"
 #include "reports/motor_words.hpp"
 
 namespace reeve::reports {

@@ -1,4 +1,4 @@
-// Report of a routing in a hand, for people and programs.
+// Report of a routing in a hand, and of the closing of its fingers, for people and programs.
 #pragma once
 
 #include <vector>
@@ -14,5 +14,13 @@ std::vector<Section> hand_sections(const ShownHand& hand);
 
 // Adds "fingers", "grasps" and "motor" to the objectives of the hand.
 void add_hand(Json& target, const ShownHand& hand);
+
+// A table of joint angles over excursion for each kind of finger, and the order of the stops.
+std::vector<Section> closing_sections(const std::vector<ShownClosing>& closings);
+
+Json closings_json(const std::vector<ShownClosing>& closings);
+
+// "finger 1", "fingers 1, 2"
+std::string fingers_text(const ShownClosing& closing);
 
 }  // namespace reeve::reports

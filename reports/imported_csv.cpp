@@ -6,7 +6,6 @@
 #include "readings/csv.hpp"
 #include "reports/data_text.hpp"
 #include "reports/import_report.hpp"
-#include "reports/import_words.hpp"
 #include "reports/output/csv_field.hpp"
 #include "reports/output/json.hpp"
 

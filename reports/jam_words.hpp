@@ -1,12 +1,16 @@
-// Tells in which of all grasps a routing jams, in words and JSON.
+// Tells in which of all grasps a routing jams, and which tendons share a carriage, in words and
+// JSON.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "core/grasp.hpp"
+#include "core/network.hpp"
+#include "reports/document/document.hpp"
 #include "reports/output/json.hpp"
 #include "search/evaluate/objectives.hpp"
+#include "studies/listed_design.hpp"
 
 namespace reeve::reports {
 
@@ -23,5 +27,15 @@ std::string jams_field(const std::vector<Grasp>& smallest);
 
 // A list of finger numbers for each.
 Json grasps_json(const std::vector<Grasp>& grasps);
+
+// A tendon that no block ties to another is a tree by itself.
+int tree_count(const Network& network);
+
+// "2 tendons hang on one carriage: …"; "" of one tree.
+std::string shared_carriage_text(const Network& network);
+
+// Returns a note with the ranks that are meant, for a list that is shown; no line if there are
+// none.
+std::vector<DocumentLine> shared_carriage_lines(const std::vector<ListedDesign>& shown);
 
 }  // namespace reeve::reports

@@ -1,4 +1,3 @@
-#include "reports/log_chart.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +6,7 @@
 
 #include "drawing/chart/chart.hpp"
 #include "reports/data_text.hpp"
-#include "reports/import_words.hpp"
+#include "reports/import_report.hpp"
 
 namespace reeve::reports {
 namespace {

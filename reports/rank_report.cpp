@@ -8,7 +8,6 @@
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/design_list.hpp"
-#include "reports/exploration/robust_report.hpp"
 #include "reports/exploration/sweep_report.hpp"
 #include "reports/exploration/tradeoff_report.hpp"
 #include "reports/model_text.hpp"

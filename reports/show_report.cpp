@@ -11,7 +11,6 @@
 #include "reports/jam_words.hpp"
 #include "reports/model_text.hpp"
 #include "reports/output/stamp.hpp"
-#include "reports/shared_carriage.hpp"
 #include "reports/shown_value.hpp"
 
 namespace reeve::reports {

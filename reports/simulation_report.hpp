@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "reports/document/document.hpp"
 #include "studies/simulation_study.hpp"
 
 namespace reeve::reports {
@@ -14,5 +15,9 @@ std::string simulation_summary(const SimulationReport& report, const std::string
 
 // "wear (change = -0.4, cycles = 300)" for each effect; "no cause" without any.
 std::string hidden_text(const Model& model);
+
+// How often a planned experiment finds what is hidden in it.
+Document power_sheet(const PowerReport& report);
+std::string power_json(const PowerReport& report);
 
 }  // namespace reeve::reports

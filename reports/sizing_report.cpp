@@ -20,7 +20,6 @@
 #include "reports/motor_words.hpp"
 #include "reports/output/json.hpp"
 #include "reports/output/telling_digits.hpp"
-#include "reports/sizing_words.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 
 namespace reeve::reports {

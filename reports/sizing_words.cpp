@@ -1,10 +1,10 @@
-#include "reports/sizing_words.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+
+#include "reports/sizing_report.hpp"
 
 namespace reeve::reports {
 

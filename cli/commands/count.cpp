@@ -11,7 +11,7 @@
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
-#include "reports/exploration/count_report.hpp"
+#include "reports/exploration/part_words.hpp"
 #include "search/enumerate/counting.hpp"
 #include "search/limits/limited_generator.hpp"
 

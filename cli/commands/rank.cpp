@@ -13,7 +13,6 @@
 #include "cli/commands/commands.hpp"
 #include "cli/commands/rank_store.hpp"
 #include "cli/flags/reading_flags.hpp"
-#include "cli/flags/sweep_flags.hpp"
 #include "cli/flags/table_flags.hpp"
 #include "cli/flags/tradeoff_flags.hpp"
 #include "cli/hand_inputs.hpp"

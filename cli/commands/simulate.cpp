@@ -20,7 +20,6 @@
 #include "core/notation.hpp"
 #include "reports/output/files.hpp"
 #include "reports/output/shell_word.hpp"
-#include "reports/power_report.hpp"
 #include "reports/simulation_report.hpp"
 #include "studies/simulation_study.hpp"
 

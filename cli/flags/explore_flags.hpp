@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/flags/sweep_flags.hpp"
 #include "cli/flags/table_flags.hpp"
 #include "cli/flags/tradeoff_flags.hpp"
 #include "cli/inputs.hpp"

@@ -13,7 +13,6 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "reports/document/document_latex.hpp"
-#include "reports/document/latex_width.hpp"
 
 namespace reeve::cli {
 namespace {

@@ -1,5 +1,5 @@
 // Options of `explore` and `rank` for the step from a ranking to a decision: the trade-off, the
-// acceptable loss, and the prices of parts.
+// acceptable loss, the prices of parts, and designs over one coefficient.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,6 +14,7 @@
 #include "search/evaluate/score.hpp"
 #include "search/rank/ranking.hpp"
 #include "search/rank/tradeoff.hpp"
+#include "search/uncertainty/sweep.hpp"
 
 namespace reeve::cli {
 
@@ -46,5 +47,20 @@ struct TradeoffFlags {
  private:
   CLI::Option* by_given_ = nullptr;
 };
+
+struct SweepFlags {
+  std::string text;
+
+  void add_to(CLI::App& command, const std::string& designs);
+  // Nothing if it is not given. Throws InputError.
+  std::optional<CoefficientRange> read() const;
+
+ private:
+  CLI::Option* given_ = nullptr;
+};
+
+// Throws InputError where what is swept cannot be so. Does nothing without a range.
+void require_sweep(const std::optional<CoefficientRange>& over, const UncertaintyOptions& evaluated,
+                   bool draws);
 
 }  // namespace reeve::cli

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "reports/diagnosis/diagnosis_scatter.hpp"
+#include "reports/diagnosis/diagnosis_evidence.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 
 namespace reeve::pages {

@@ -8,8 +8,7 @@
 #include "pages/diagnosis/diagnosis_values.hpp"
 #include "pages/shell/html_table.hpp"
 #include "reports/data_text.hpp"
-#include "reports/diagnosis/diagnosis_groups.hpp"
-#include "reports/diagnosis/diagnosis_scatter.hpp"
+#include "reports/diagnosis/diagnosis_evidence.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 
 namespace reeve::pages {

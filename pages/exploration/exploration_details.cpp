@@ -11,7 +11,7 @@
 #include "drawing/schematic/schematic_svg.hpp"
 #include "numerics/parallel.hpp"
 #include "pages/shell/compressed.hpp"
-#include "reports/shared_carriage.hpp"
+#include "reports/jam_words.hpp"
 
 namespace reeve::pages {
 namespace {

@@ -11,7 +11,6 @@
 #include "pages/exploration/exploration_designs.hpp"
 #include "pages/exploration/exploration_figures.hpp"
 #include "pages/exploration/exploration_holdings.hpp"
-#include "pages/exploration/exploration_tables.hpp"
 #include "pages/exploration/exploration_words.hpp"
 #include "pages/figures.hpp"
 #include "pages/routing_parts.hpp"

@@ -1,5 +1,3 @@
-#include "pages/exploration/exploration_tables.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pages/exploration/exploration_answer.hpp"
 #include "pages/exploration/exploration_designs.hpp"
 #include "pages/exploration/exploration_words.hpp"
 #include "pages/page_words.hpp"

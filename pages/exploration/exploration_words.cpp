@@ -11,8 +11,8 @@
 #include "reports/data_text.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/design_list.hpp"
+#include "reports/jam_words.hpp"
 #include "reports/output/json.hpp"
-#include "reports/shared_carriage.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 
 namespace reeve::pages {

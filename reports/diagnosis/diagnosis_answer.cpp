@@ -7,9 +7,7 @@
 #include "diagnosis/fit/evidence.hpp"
 #include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_evidence.hpp"
-#include "reports/diagnosis/diagnosis_groups.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
-#include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 
 namespace reeve::reports {

@@ -1,9 +1,8 @@
-#include "reports/diagnosis/diagnosis_groups.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "reports/diagnosis/diagnosis_evidence.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 
 namespace reeve::reports {

@@ -6,9 +6,8 @@
 
 #include "causes/term.hpp"
 #include "reports/data_text.hpp"
-#include "reports/diagnosis/diagnosis_groups.hpp"
+#include "reports/diagnosis/diagnosis_evidence.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
-#include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/law_words.hpp"
 #include "reports/output/csv_field.hpp"

@@ -1,9 +1,8 @@
-#include "reports/diagnosis/diagnosis_scatter.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
 
+#include "reports/diagnosis/diagnosis_evidence.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 
 namespace reeve::reports {

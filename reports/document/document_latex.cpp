@@ -11,7 +11,6 @@
 
 #include "core/error.hpp"
 #include "reports/document/chosen_columns.hpp"
-#include "reports/document/latex_width.hpp"
 
 namespace reeve::reports {
 namespace {

@@ -11,6 +11,7 @@
 
 #include <string>
 
+#include "numerics/floors.hpp"
 #include "reports/document/document.hpp"
 
 namespace reeve::reports {
@@ -27,5 +28,10 @@ void require_fits(const Document& document, double width_pt);
 
 // Text as LaTeX typesets it, with any engine.
 std::string latex_escaped(const std::string& text);
+
+// Returns the width of a text before it is escaped, in pt of 1/72.27 in.
+double latex_width_pt(const std::string& text);
+
+inline constexpr double pt_in_mm = 72.27 / 25.4;
 
 }  // namespace reeve::reports

@@ -1,7 +1,7 @@
-#include "reports/document/latex_width.hpp"
-
 #include <array>
 #include <cctype>
+
+#include "reports/document/document_latex.hpp"
 
 namespace reeve::reports {
 namespace {

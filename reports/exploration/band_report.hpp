@@ -1,6 +1,8 @@
-// Medians, bands and places of designs under uncertainty: as text, table, CSV and JSON.
+// Medians, bands and places of designs under uncertainty, and the most robust design: as text,
+// table, CSV and JSON.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,5 +40,10 @@ std::string band_cells(const Bands& bands);
 
 // {"uniformity_mean":{"median","p5","p95"},…}
 Json bands_json(const Bands& bands);
+
+// Returns no lines if there is no most robust design.
+std::vector<DocumentLine> robust_lines(const std::optional<RobustFirst>& first);
+
+Json robust_json(const std::optional<RobustFirst>& first);
 
 }  // namespace reeve::reports

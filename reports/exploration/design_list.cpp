@@ -14,7 +14,6 @@
 #include "reports/exploration/decision_words.hpp"
 #include "reports/jam_words.hpp"
 #include "reports/output/csv_field.hpp"
-#include "reports/shared_carriage.hpp"
 #include "reports/shown_value.hpp"
 #include "search/uncertainty/sweep.hpp"
 

@@ -13,7 +13,6 @@
 #include "reports/exploration/design_list.hpp"
 #include "reports/exploration/exploration_id.hpp"
 #include "reports/exploration/part_words.hpp"
-#include "reports/exploration/robust_report.hpp"
 #include "reports/exploration/sweep_report.hpp"
 #include "reports/exploration/target_report.hpp"
 #include "reports/exploration/tradeoff_report.hpp"

@@ -9,7 +9,7 @@
 #include "core/notation.hpp"
 #include "core/text.hpp"
 #include "reports/motor_words.hpp"
-#include "reports/sizing_words.hpp"
+#include "reports/sizing_report.hpp"
 
 namespace reeve::reports {
 namespace {

@@ -8,9 +8,9 @@
 #include "core/motor_sides.hpp"
 #include "core/notation.hpp"
 #include "core/version.hpp"
+#include "reports/jam_words.hpp"
 #include "reports/model_text.hpp"
 #include "reports/mujoco/mjcf_rig.hpp"
-#include "reports/shared_carriage.hpp"
 
 namespace reeve::reports {
 namespace {

@@ -9,8 +9,8 @@
 #include <set>
 #include <string>
 
+#include "pages/exploration/exploration_answer.hpp"
 #include "pages/exploration/exploration_designs.hpp"
-#include "pages/exploration/exploration_tables.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 #include "tests/pages/explored.hpp"
 

@@ -6,7 +6,7 @@
 #include "causes/library.hpp"
 #include "causes/term.hpp"
 #include "core/notation.hpp"
-#include "reports/diagnosis/diagnosis_groups.hpp"
+#include "reports/diagnosis/diagnosis_evidence.hpp"
 #include "reports/diagnosis/diagnosis_report.hpp"
 
 namespace reeve {

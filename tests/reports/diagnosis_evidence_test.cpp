@@ -11,7 +11,6 @@
 
 #include "causes/library.hpp"
 #include "core/notation.hpp"
-#include "reports/diagnosis/diagnosis_scatter.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
 #include "reports/document/document.hpp"
 #include "tests/support/has.hpp"

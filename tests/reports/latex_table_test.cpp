@@ -5,7 +5,6 @@
 #include "core/error.hpp"
 #include "reports/document/chosen_columns.hpp"
 #include "reports/document/document_latex.hpp"
-#include "reports/document/latex_width.hpp"
 #include "tests/support/has.hpp"
 #include "tests/support/svg.hpp"
 

@@ -1,8 +1,8 @@
-#include "reports/exploration/robust_report.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "reports/exploration/band_report.hpp"
 
 namespace reeve {
 namespace {

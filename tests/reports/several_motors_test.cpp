@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/notation.hpp"
+#include "reports/jam_words.hpp"
 #include "reports/mujoco/mjcf.hpp"
-#include "reports/shared_carriage.hpp"
 #include "reports/show_report.hpp"
 #include "tests/support/has.hpp"
 
