@@ -38,6 +38,12 @@ std::string titles(const std::vector<Objective>& objectives) {
   return enumeration(names);
 }
 
+std::vector<std::string> sentences_of(const std::vector<DocumentLine>& lines) {
+  std::vector<std::string> sentences;
+  for (const DocumentLine& line : lines) sentences.push_back(line.text + ".");
+  return sentences;
+}
+
 std::string four_digits(double value) {
   return std::isfinite(value) ? fmt::format("{:.4g}", value) : "-";
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/grasp.hpp"
+#include "reports/document/document.hpp"
 #include "search/evaluate/objectives.hpp"
 
 namespace reeve::pages {
@@ -16,6 +17,9 @@ std::string objective_titles(const std::vector<Objective>& objectives);
 
 // "a, b and c"
 std::string enumeration(const std::vector<std::string>& items);
+
+// The texts of lines as sentences, with a full stop each.
+std::vector<std::string> sentences_of(const std::vector<DocumentLine>& lines);
 
 // "0.9958"; "-" of what there is none of, as in the terminal.
 std::string four_digits(double value);

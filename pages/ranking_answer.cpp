@@ -96,25 +96,13 @@ Json others(const RankReport& report, const Labels& labels) {
 
 // Returns the lines that the trade-off decides; the first design stands above.
 Json decision(const RankReport& report) {
-  Json lines = Json::array();
-  const auto add_motor = [&] {
-    for (const DocumentLine& line : motor_lines(report.motor, report.model.hardware.motor)) {
-      lines.push_back(line.text + ".");
-    }
-  };
-  if (report.tradeoff.steps.size() < 2) {
-    add_motor();
-    return lines;
-  }
-  for (const DocumentLine& line : answer_lines(report.designs, report.tradeoff)) {
-    lines.push_back(line.text + ".");
-  }
-  lines.erase(0);
-  add_motor();
-  for (const DocumentLine& line : shared_carriage_lines(one_of_each(report.designs))) {
-    lines.push_back(line.text + ".");
-  }
-  return lines;
+  const std::vector<DocumentLine> motor = motor_lines(report.motor, report.model.hardware.motor);
+  if (report.tradeoff.steps.size() < 2) return sentences_of(motor);
+  std::vector<DocumentLine> lines = answer_lines(report.designs, report.tradeoff);
+  lines.erase(lines.begin());
+  append(lines, motor);
+  append(lines, shared_carriage_lines(one_of_each(report.designs)));
+  return sentences_of(lines);
 }
 
 std::string uncertainty(const RankReport& report, const Labels& labels) {
@@ -124,10 +112,9 @@ std::string uncertainty(const RankReport& report, const Labels& labels) {
       "With coefficients drawn from their ranges ({}, seed {}) {} is first in {} of the draws.",
       plural(report.uncertainty->draws, "draw"), report.uncertainty->seed, labels[0],
       share_text(drawn.first));
-  for (const DocumentLine& line : robust_lines(report.robust_first)) {
-    text += " " + line.text + ".";
-  }
-  for (const DocumentLine& line : shared_first_lines(report.designs)) text += " " + line.text + ".";
+  std::vector<DocumentLine> lines = robust_lines(report.robust_first);
+  append(lines, shared_first_lines(report.designs));
+  for (const std::string& sentence : sentences_of(lines)) text += " " + sentence;
   return text;
 }
 

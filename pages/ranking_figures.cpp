@@ -13,6 +13,7 @@
 #include "pages/tension_charts.hpp"
 #include "reports/document/text_table.hpp"
 #include "reports/exploration/decision_words.hpp"
+#include "reports/shown_value.hpp"
 
 namespace reeve::pages {
 namespace {

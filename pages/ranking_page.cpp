@@ -13,9 +13,9 @@
 #include "pages/shell/settings.hpp"
 #include "pages/shell/template.hpp"
 #include "pages/sweep_figures.hpp"
-#include "reports/document/text_table.hpp"
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
+#include "reports/shown_value.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 
 namespace reeve::pages {
@@ -69,9 +69,7 @@ HtmlTable ranking_table(const RankReport& report, const Labels& labels) {
 
 std::vector<GlossaryTerm> ranking_glossary(const RankReport& report) {
   std::vector<GlossaryTerm> terms{ranking_terms().front()};
-  for (GlossaryTerm& term : objective_terms(shown_objectives(report.order, report.score))) {
-    terms.push_back(std::move(term));
-  }
+  append(terms, objective_terms(shown_objectives(report.order, report.score)));
   return terms;
 }
 

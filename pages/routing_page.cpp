@@ -60,16 +60,7 @@ Json jams(const ShownRouting& report) {
 // False, which the template passes over, without one.
 Json hand_values(const ShownRouting& report, std::vector<FigureFile>& files) {
   if (!report.hand) return false;
-  std::string tables;
-  Json lines = Json::array();
-  int number = 0;
-  for (const Section& section : hand_sections(*report.hand)) {
-    ++number;
-    tables += html({fmt::format("hand-table-{}", number), section.title, *section.table});
-    for (const DocumentLine& line : section.lines) {
-      lines.push_back({{"text", line.text}, {"caveat", line.caveat}});
-    }
-  }
+  const HandParts parts = hand_parts(*report.hand);
   std::string figures;
   for (std::size_t i = 0; i < report.hand->closings.size(); ++i) {
     for (const Figure& figure : closing_figures(report.hand->closings[i], i + 1)) {
@@ -77,7 +68,7 @@ Json hand_values(const ShownRouting& report, std::vector<FigureFile>& files) {
       files.push_back(captioned(figure, report.model));
     }
   }
-  return {{"tables", tables}, {"lines", lines}, {"figures", figures}};
+  return {{"tables", parts.tables}, {"lines", parts.lines}, {"figures", figures}};
 }
 
 GraspSet grasps(const ShownRouting& report) {

@@ -15,9 +15,6 @@
 
 namespace reeve::pages {
 
-// Counts without decimals, others with three: of a cost as many more as tell it.
-std::string objective_text(Objective objective, double value);
-
 // In the order T1 … T2n.
 std::vector<std::pair<Segment, double>> strands(const Network& network, const TensionState& state);
 
@@ -31,6 +28,16 @@ HtmlTable tension_table(const SolvedRouting& report);
 HtmlTable share_table(const SolvedRouting& report);
 HtmlTable contact_table(const SolvedRouting& report);
 HtmlTable routing_objectives(const ShownRouting& report);
+
+// For a template: the "text" of each line, and whether it is a "caveat".
+Json line_values(const std::vector<DocumentLine>& lines);
+
+// The report of a hand: its tables as HTML, and the lines below them.
+struct HandParts {
+  std::string tables;
+  Json lines;
+};
+HandParts hand_parts(const ShownHand& hand);
 
 // Trade-off table of designs against parts, as a section with its heading; "" if the trade-off has
 // fewer than two steps.

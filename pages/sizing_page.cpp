@@ -18,14 +18,6 @@ namespace {
 
 std::string short_text(double value) { return fmt::format("{:.4g}", value); }
 
-Json line_values(const std::vector<DocumentLine>& lines) {
-  Json list = Json::array();
-  for (const DocumentLine& line : lines) {
-    list.push_back({{"text", line.text}, {"caveat", line.caveat}});
-  }
-  return list;
-}
-
 std::string table_html(const std::string& id, const Section& section) {
   return section.table ? html({id, section.title, *section.table}) : "";
 }
@@ -95,13 +87,9 @@ void add_hand_values(const SizingDetails& details, Json& values) {
   values["hand"] = false;
   values["motor"] = Json::array();
   if (!details.before.hand || !details.sized.hand) return;
-  std::string tables = motor_html(details);
-  int number = 0;
-  for (const Section& section : hand_sections(*details.sized.hand)) {
-    tables += table_html(fmt::format("hand-table-{}", ++number), section);
-    for (const Json& line : line_values(section.lines)) values["motor"].push_back(line);
-  }
-  values["hand"] = {{"tables", tables}};
+  const HandParts parts = hand_parts(*details.sized.hand);
+  values["motor"] = parts.lines;
+  values["hand"] = {{"tables", motor_html(details) + parts.tables}};
 }
 
 std::string axis_title(const SizeVariable& about) {

@@ -10,7 +10,6 @@
 #include "pages/objective_plot.hpp"
 #include "pages/page_words.hpp"
 #include "pages/shell/template.hpp"
-#include "reports/exploration/band_report.hpp"
 #include "reports/exploration/sweep_report.hpp"
 #include "studies/exploration_study.hpp"
 

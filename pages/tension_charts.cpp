@@ -7,7 +7,6 @@
 
 #include "core/text.hpp"
 #include "pages/routing_parts.hpp"
-#include "reports/document/text_table.hpp"
 
 namespace reeve::pages {
 namespace {

@@ -221,7 +221,7 @@ Json motor_json(const ShownHand& hand) {
 std::vector<Section> hand_sections(const ShownHand& hand) {
   std::vector<DocumentLine> lines;
   add_force_lines(hand.demand, lines);
-  for (const DocumentLine& line : motor_lines(hand.drawn, hand.motor)) lines.push_back(line);
+  append(lines, motor_lines(hand.drawn, hand.motor));
   add_motion_lines(hand, lines);
   add_reach_lines(hand, lines);
   std::vector<Section> sections{
@@ -231,7 +231,7 @@ std::vector<Section> hand_sections(const ShownHand& hand) {
        {}},
       {"Hand: fingers, and the least force at their tips in any of these grasps",
        finger_table(hand), lines}};
-  for (Section& section : closing_sections(hand.closings)) sections.push_back(std::move(section));
+  append(sections, closing_sections(hand.closings));
   return sections;
 }
 

@@ -170,7 +170,7 @@ std::vector<DocumentLine> model_lines(const Model& model, std::uint64_t unconver
     comma = ",";
   }
   std::vector<DocumentLine> lines{{text}};
-  for (const std::string& note : outside_notes(model)) lines.push_back({"Note: " + note, true});
+  append(lines, note_lines(outside_notes(model)));
   const std::string left_out = list(model, false);
   if (!left_out.empty()) {
     lines.push_back(

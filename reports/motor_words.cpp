@@ -51,7 +51,7 @@ std::vector<DocumentLine> motor_lines(const std::optional<MotorForce>& force,
   if (!force) return {};
   std::vector<DocumentLine> lines = stroke_lines(*force, motor);
   lines.insert(lines.begin(), motor_line(*force, motor));
-  for (const DocumentLine& line : energy_lines(force->least_work_J, motor)) lines.push_back(line);
+  append(lines, energy_lines(force->least_work_J, motor));
   return lines;
 }
 

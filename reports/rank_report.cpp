@@ -122,20 +122,14 @@ void add_details(Json& json, const RankDetails& details) {
 Document rank_document(const RankReport& report, const ListColumns& wanted) {
   const ListColumns columns = priced(wanted, report.prices);
   std::vector<DocumentLine> lines{{assumed_text(report.model)}};
-  for (const DocumentLine& line : model_lines(report.model, report.unconverged)) {
-    lines.push_back(line);
-  }
+  append(lines, model_lines(report.model, report.unconverged));
   if (!report.designs.empty()) {
     const int fingers = finger_count(report.designs.front().routing);
-    for (const DocumentLine& line : note_lines(model_notes(report.model, fingers))) {
-      lines.push_back(line);
-    }
+    append(lines, note_lines(model_notes(report.model, fingers)));
   }
   if (report.uncertainty || report.margins) {
     const Hardware nominal = effective_hardware(report.model);
-    for (const DocumentLine& line : note_lines(range_notes(nominal, report.ranges))) {
-      lines.push_back(line);
-    }
+    append(lines, note_lines(range_notes(nominal, report.ranges)));
   }
   lines.push_back({order_text(report.order, report.score) +
                    "; uniformity and efficiency as mean/worst over the grasps (held fingers) " +
@@ -149,20 +143,16 @@ Document rank_document(const RankReport& report, const ListColumns& wanted) {
   if (report.designs.size() == 1) document.add({"", std::nullopt, motor});
   if (report.designs.size() > 1) {
     std::vector<DocumentLine> answer = answer_lines(report.designs, report.tradeoff);
-    answer.insert(answer.end(), motor.begin(), motor.end());
-    for (const DocumentLine& line : robust_lines(report.robust_first)) {
-      answer.push_back(line);
-    }
-    for (const DocumentLine& line : shared_first_lines(report.designs)) answer.push_back(line);
+    append(answer, motor);
+    append(answer, robust_lines(report.robust_first));
+    append(answer, shared_first_lines(report.designs));
     document.add({"", std::nullopt, answer});
   }
   if (!columns.chosen.empty()) return document;
   if (report.uncertainty) document.add(band_section(shown, report.order, *report.uncertainty));
   document.add(tradeoff_section(report.tradeoff));
   document.add(margin_section(report));
-  if (report.sweep) {
-    for (Section& section : sweep_sections(*report.sweep)) document.add(std::move(section));
-  }
+  if (report.sweep) document.add_all(sweep_sections(*report.sweep));
   return document;
 }
 

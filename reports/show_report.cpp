@@ -90,33 +90,7 @@ std::string held_text(const ShownGrasp& shown) {
   return to_text(shown.grasp) + (shown.state.jams ? " (jams)" : "");
 }
 
-Table tension_table(const SolvedRouting& report) {
-  Table table{{text_column("held")}, {}};
-  for (const Segment& segment : report.network.segments) {
-    table.columns.push_back(number_column(segment_name(segment), "N/N"));
-  }
-  const int motors = carriage_count(report.network);
-  for (int motor = 1; motors > 1 && motor <= motors; ++motor) {
-    table.columns.push_back(number_column(motor_name(motor), "N/N"));
-  }
-  for (const char* figure : {"uniformity", "efficiency", "force"}) {
-    table.columns.push_back(number_column(figure));
-  }
-  for (const ShownGrasp& shown : report.grasps) {
-    std::vector<std::string> cells{held_text(shown)};
-    for (const double tension : shown.state.tension) cells.push_back(fixed(tension));
-    if (motors > 1) {
-      for (const double tension : motor_tensions(report.network, shown.state)) {
-        cells.push_back(fixed(tension));
-      }
-    }
-    cells.push_back(fixed(shown.performance.uniformity));
-    cells.push_back(fixed(shown.performance.efficiency));
-    cells.push_back(fixed(shown.performance.force_transmission));
-    table.add(cells);
-  }
-  return table;
-}
+std::string held_heading(const ShownGrasp& shown) { return "held " + to_text(shown.grasp); }
 
 Table share_table(const SolvedRouting& report) {
   const std::vector<Segment>& segments = report.network.segments;
@@ -137,36 +111,6 @@ Table share_table(const SolvedRouting& report) {
   return table;
 }
 
-Table contact_table(const SolvedRouting& report) {
-  Table table{{text_column("contact"), text_column("kind")}, {}};
-  for (const ShownGrasp& shown : report.grasps) {
-    table.columns.push_back(text_column("held " + to_text(shown.grasp)));
-  }
-  for (const ShownContact& contact : shown_contacts(report)) {
-    std::vector<std::string> cells{contact.between, contact.kind};
-    cells.insert(cells.end(), contact.slides.begin(), contact.slides.end());
-    table.add(cells);
-  }
-  return table;
-}
-
-Table objective_list(const ShownRouting& report) {
-  const ObjectiveValues& values = report.values;
-  Table table{{text_column("objective"), number_column("value"), text_column("unit"),
-               text_column("meaning")},
-              {}};
-  for (const ObjectiveRow& row : objective_table()) {
-    if (!is_there(row, values)) continue;
-    if (row.objective == Objective::cost && !report.prices) continue;
-    const bool priced = row.objective == Objective::cost && !report.prices->unit.empty();
-    const int at_least = row.is_count() ? 0 : 3;
-    const double shown = value(values, row.objective);
-    table.add({row.name, fixed(shown, shown_decimals(row.objective, shown, at_least)),
-               priced ? report.prices->unit : row.unit, row.meaning});
-  }
-  return table;
-}
-
 std::optional<double> spool_ratio(const Hardware& hardware, const std::string& segment) {
   for (const SpoolHardware& spool : hardware.spools) {
     if (spool.segment == segment) return spool.ratio;
@@ -174,8 +118,7 @@ std::optional<double> spool_ratio(const Hardware& hardware, const std::string& s
   return std::nullopt;
 }
 
-// Between holds what stands between a motor-side segment and its motor.
-// spring.
+// Holds what stands between a motor-side segment and its motor.
 struct Between {
   std::optional<double> spool;
   std::optional<double> spring_N_mm;
@@ -239,6 +182,65 @@ std::vector<ShownContact> shown_contacts(const SolvedRouting& report) {
   return contacts;
 }
 
+std::vector<std::string> grasp_names(const SolvedRouting& report,
+                                     std::string (*name_of)(const ShownGrasp&)) {
+  std::vector<std::string> names;
+  for (const ShownGrasp& shown : report.grasps) names.push_back(name_of(shown));
+  return names;
+}
+
+Table tension_table(const SolvedRouting& report, const ShownWords& words) {
+  Table table{{text_column(words.grasp)}, {}};
+  for (const Segment& segment : report.network.segments) {
+    table.columns.push_back(number_column(segment_name(segment), words.unit));
+  }
+  const int motors = carriage_count(report.network);
+  for (int motor = 1; motors > 1 && motor <= motors; ++motor) {
+    table.columns.push_back(number_column(motor_name(motor), words.unit));
+  }
+  for (const std::string& figure :
+       {std::string("uniformity"), std::string("efficiency"), words.transmission}) {
+    table.columns.push_back(number_column(figure));
+  }
+  for (std::size_t i = 0; i < report.grasps.size(); ++i) {
+    const auto& [grasp, state, performance] = report.grasps[i];
+    std::vector<double> values = state.tension;
+    if (motors > 1) append(values, motor_tensions(report.network, state));
+    append(values,
+           {performance.uniformity, performance.efficiency, performance.force_transmission});
+    std::vector<std::string> cells{words.grasps[i]};
+    for (const double value : values) cells.push_back(fixed(value));
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+Table contact_table(const SolvedRouting& report, const std::vector<std::string>& grasps) {
+  Table table{{text_column("contact"), text_column("kind")}, {}};
+  for (const std::string& grasp : grasps) table.columns.push_back(text_column(grasp));
+  for (const ShownContact& contact : shown_contacts(report)) {
+    std::vector<std::string> cells{contact.between, contact.kind};
+    append(cells, contact.slides);
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+Table objective_list(const ShownRouting& report) {
+  const ObjectiveValues& values = report.values;
+  Table table{{text_column("objective"), number_column("value"), text_column("unit"),
+               text_column("meaning")},
+              {}};
+  for (const ObjectiveRow& row : objective_table()) {
+    if (!is_there(row, values)) continue;
+    if (row.objective == Objective::cost && !report.prices) continue;
+    const bool priced = row.objective == Objective::cost && !report.prices->unit.empty();
+    table.add({row.name, objective_text(row.objective, value(values, row.objective)),
+               priced ? report.prices->unit : row.unit, row.meaning});
+  }
+  return table;
+}
+
 Document show_document(const ShownRouting& report) {
   std::vector<DocumentLine> lines{{heading(report)}};
   if (const std::string key = letter_key(report.network, report.model.hardware); !key.empty()) {
@@ -249,22 +251,18 @@ Document show_document(const ShownRouting& report) {
   }
   lines.push_back({jam_sentence(report.smallest_jams, report.values, report.network.fingers)});
   lines.push_back({assumed_text(report.model)});
-  for (const DocumentLine& line : model_lines(report.model, report.unconverged)) {
-    lines.push_back(line);
-  }
-  for (const DocumentLine& line : note_lines(model_notes(report.model, {report.network}))) {
-    lines.push_back(line);
-  }
-  Document document{{{"", std::nullopt, lines},
-                     {fmt::format("Tensions {}, {}", unit_text(report),
-                                  report.direction == Direction::pull ? "pulling" : "releasing"),
-                      tension_table(report),
-                      {}},
-                     {"Shares of the strands, %", share_table(report), {}},
-                     {"Sliding", contact_table(report), {}},
-                     {"Over these grasps, pulling", objective_list(report), {}}}};
-  if (!report.hand) return document;
-  for (Section& section : hand_sections(*report.hand)) document.add(std::move(section));
+  append(lines, model_lines(report.model, report.unconverged));
+  append(lines, note_lines(model_notes(report.model, {report.network})));
+  Document document{
+      {{"", std::nullopt, lines},
+       {fmt::format("Tensions {}, {}", unit_text(report),
+                    report.direction == Direction::pull ? "pulling" : "releasing"),
+        tension_table(report, {"held", "N/N", "force", grasp_names(report, held_text)}),
+        {}},
+       {"Shares of the strands, %", share_table(report), {}},
+       {"Sliding", contact_table(report, grasp_names(report, held_heading)), {}},
+       {"Over these grasps, pulling", objective_list(report), {}}}};
+  if (report.hand) document.add_all(hand_sections(*report.hand));
   return document;
 }
 
@@ -288,11 +286,11 @@ Json to_json(const ShownRouting& report) {
 
 std::string show_json(const ShownRouting& report) { return print_stamped(to_json(report)); }
 
-std::string show_svg(const SolvedRouting& report, const ShownGrasp* shown) {
-  const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;
-  if (shown == nullptr) return schematic_svg(schematic(report.network, title));
+std::string show_svg(const SolvedRouting& report, const ShownGrasp* shown, const std::string& ids) {
+  const std::string title = report.title();
+  if (shown == nullptr) return schematic_svg(schematic(report.network, title), ids);
   const GraspView view{shown->grasp, report.direction, shown->state};
-  return schematic_svg(schematic(report.network, title, view));
+  return schematic_svg(schematic(report.network, title, view), ids);
 }
 
 }  // namespace reeve::reports

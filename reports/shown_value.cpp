@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/text.hpp"
-#include "reports/document/document.hpp"
 #include "reports/output/telling_digits.hpp"
 
 namespace reeve::reports {
@@ -23,6 +22,10 @@ int shown_decimals(Objective objective, const std::vector<ListedDesign>& designs
     decimals = std::max(decimals, shown_decimals(objective, shown));
   }
   return decimals;
+}
+
+std::string objective_text(Objective objective, double value) {
+  return fixed(value, shown_decimals(objective, value, row(objective).is_count() ? 0 : 3));
 }
 
 std::string shown_value(Objective objective, double value) {

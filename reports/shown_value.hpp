@@ -18,6 +18,9 @@ int shown_decimals(Objective objective, double value);
 // Returns the decimals of a column: as many as any of its cells takes.
 int shown_decimals(Objective objective, const std::vector<ListedDesign>& designs);
 
+// Counts without decimals, others with three: of a cost as many more as tell it.
+std::string objective_text(Objective objective, double value);
+
 // "-" if it is none.
 std::string shown_value(Objective objective, double value);
 

@@ -70,10 +70,8 @@ std::vector<DocumentLine> opening_lines(const SizingReport& report) {
     lines.push_back({"PARTIAL: stopped; the best so far, without sensitivities", true});
   }
   lines.push_back({assumed_text(options.nominal)});
-  for (const std::string& note : report.notes) lines.push_back({"Note: " + note, true});
-  for (const DocumentLine& line : model_lines(options.nominal, report.unconverged)) {
-    lines.push_back(line);
-  }
+  append(lines, note_lines(report.notes));
+  append(lines, model_lines(options.nominal, report.unconverged));
   const bool few = options.robust && options.draws < told_draws(options);
   lines.push_back({"Sized for " + goal_text(options) + ", over the grasps " +
                    to_text(goal_grasps(options)) +

@@ -5,7 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "readings/row_order.hpp"

@@ -36,6 +36,9 @@ struct SolvedRouting {
   std::uint64_t unconverged = 0;  // tension solves
   Network network;
   std::vector<ShownGrasp> grasps;
+
+  // "TR3: F-1-P-2-F", or the word alone.
+  std::string title() const { return name.empty() ? word : name + ": " + word; }
 };
 
 // A routing with its tensions and objectives.

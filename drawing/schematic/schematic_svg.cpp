@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/motor_sides.hpp"
 #include "core/text.hpp"
 #include "drawing/schematic/schematic_symbols.hpp"
 #include "drawing/svg.hpp"

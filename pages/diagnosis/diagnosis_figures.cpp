@@ -111,9 +111,7 @@ chart::Panel panel(const std::vector<ReadingMark>& marks, const FigureModel& mod
   panel.layers.push_back(
       {"", line,
        chart::Paths{{{{{extent.low, extent.low}, {extent.high, extent.high}}, ""}}, false}});
-  for (chart::Layer& layer : layers(marks, model, has_held_out)) {
-    panel.layers.push_back(std::move(layer));
-  }
+  append(panel.layers, layers(marks, model, has_held_out));
   return panel;
 }
 

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 
-#include "drawing/schematic/schematic_svg.hpp"
 #include "pages/diagnosis/diagnosis_figures.hpp"
-#include "pages/diagnosis/diagnosis_labels.hpp"
 #include "pages/diagnosis/diagnosis_values.hpp"
 #include "pages/distribution_figure.hpp"
 #include "pages/shell/html_table.hpp"
@@ -14,6 +12,7 @@
 #include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_evidence.hpp"
 #include "reports/diagnosis/diagnosis_words.hpp"
+#include "reports/show_report.hpp"
 
 namespace reeve::pages {
 namespace {
@@ -81,10 +80,7 @@ Json lead_figures(const DiagnosisReport& report, Figures& figures) {
 // The tensions are for one newton at the motor, as everywhere in schematics.
 std::string schematic_of(const SolvedRouting& next, const DiagnosisReport& report,
                          Figures& figures) {
-  const ShownGrasp& shown = next.grasps.front();
-  const std::string title = next.name.empty() ? next.word : next.name + ": " + next.word;
-  const GraspView view{shown.grasp, next.direction, shown.state};
-  const std::string svg = schematic_svg(schematic(next.network, title, view), "next");
+  const std::string svg = show_svg(next, &next.grasps.front(), "next");
   return figures.add_schematic("next-measurement", svg) +
          render("diagnosis_schematic.mustache", {{"simulated", report.data.simulated}});
 }

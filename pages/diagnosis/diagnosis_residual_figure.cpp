@@ -113,8 +113,7 @@ chart::Panel panel(const std::vector<ReadingMark>& marks, const PlacesAlong& alo
   band.fill = 0.15;
   panel.layers = {{"", band, chart::PanelBands{{{0, -linear_to, linear_to, ""}}, chart::Along::y}},
                   points(marks, along, residual)};
-  for (chart::Layer& layer : means(marks, along, residual))
-    panel.layers.push_back(std::move(layer));
+  append(panel.layers, means(marks, along, residual));
   return panel;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/text.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
 #include "pages/diagnosis/diagnosis_values.hpp"
 #include "pages/shell/html_table.hpp"
@@ -17,24 +16,6 @@ namespace {
 constexpr const char* none = "–";
 
 std::string written(const HtmlTable& table) { return table.table.rows.empty() ? "" : html(table); }
-
-std::string interval_of(const EstimatedParameter& parameter) {
-  return estimate(parameter, parameter.low) + " to " + estimate(parameter, parameter.high);
-}
-
-std::string literature_of(const EstimatedParameter& parameter) {
-  const std::optional<Range>& range = parameter.literature;
-  return range ? fmt::format("{:.4g} to {:.4g}", range->low, range->high) : none;
-}
-
-void add_gain(Table& table, const std::string& name, const HeldOut& held_out) {
-  table.add({name, newton(held_out.rms_before_N), newton(held_out.rms_after_N),
-             percent_text(held_out.reduction),
-             percent_text(held_out.low) + " to " + percent_text(held_out.high),
-             gain_number(held_out.log_likelihood_gain),
-             gain_interval(held_out.gain_low, held_out.gain_high),
-             gain_number(held_out.expected_gain)});
-}
 
 std::string weighed_caption(const DiagnosisResult& result) {
   std::string caption = "Gain in log-likelihood over the nominal model";
@@ -74,7 +55,7 @@ std::string findings_table(const DiagnosisReport& report) {
             ? cause.detail
             : fmt::format("{} = {} ({})", cause.parameters.front().name,
                           estimate(cause.parameters.front(), cause.parameters.front().value),
-                          interval_of(cause.parameters.front()));
+                          interval_text(cause.parameters.front()));
     table.add({cause.name, part_of_residuals(report, cause.explained.rms_N),
                fine_percent_text(cause.explained.share), size,
                p_number(cause.p_value, report.settings.replicates)});
@@ -94,9 +75,9 @@ std::string sizes_table(const DiagnosisResult& result) {
     for (std::size_t i = 0; i < cause.parameters.size(); ++i) {
       const EstimatedParameter& parameter = cause.parameters[i];
       table.add({cause.name, parameter.name, estimate(parameter, parameter.value),
-                 interval_of(parameter),
+                 interval_text(parameter),
                  parameter.nominal ? estimate(parameter, *parameter.nominal) : none,
-                 literature_of(parameter), parameter_unit(cause, i)});
+                 literature_range(parameter, none), parameter_unit(cause, i)});
     }
   }
   return written({"named-causes", "Sizes, with 95 % intervals", std::move(table)});
@@ -110,7 +91,7 @@ std::string calibration_table(const DiagnosisResult& result) {
     const EstimatedParameter& parameter = coefficient.parameter;
     const char* bound = parameter.at_bound ? ", at the limit of the search" : "";
     table.add({coefficient.name, parameter.name, estimate(parameter, parameter.value),
-               interval_of(parameter), capitalised(beside_hardware(coefficient)) + bound});
+               interval_text(parameter), capitalised(beside_hardware(coefficient)) + bound});
   }
   return written({"calibrated", "Friction coefficients by these readings, with 95 % intervals",
                   std::move(table)});
@@ -144,12 +125,7 @@ std::string gains_table(const DiagnosisResult& result) {
        number_column("reduction"), number_column("interval"), number_column("log-likelihood gain"),
        number_column("interval"), number_column("expected, if right")},
       {}};
-  for (const NamedCause& cause : result.causes) {
-    if (cause.held_out) add_gain(table, cause.name, *cause.held_out);
-  }
-  if (result.held_out && result.causes.size() > 1) {
-    add_gain(table, "all together", *result.held_out);
-  }
+  add_gains(result, table);
   return written({"gains",
                   fmt::format("On {} that no fit has seen, each cause over all others; intervals "
                               "are of 95 %",
@@ -159,20 +135,12 @@ std::string gains_table(const DiagnosisResult& result) {
 
 std::string structure_table(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
-  Table table{{text_column("residuals follow"), number_column("size"),
-               number_column("deviations from chance"), number_column("p of this alone")},
-              {}};
-  for (const StructureFinding& finding : result.structure) {
-    table.add({pattern_text(report, finding.about),
-               part_of_residuals(report, structure_N(report, finding)), fixed(finding.statistic, 1),
-               p_number(finding.p_value, report.settings.replicates)});
-  }
   return written({"structure",
                   fmt::format("What the residuals could still follow{}, tested on the training "
                               "runs ({} for all together)",
                               result.causes.empty() ? "" : " after the model is extended",
                               p_text(result.structure_p_value, report.settings.replicates)),
-                  std::move(table), true});
+                  reports::structure_table(report, result.structure.size()), true});
 }
 
 std::string expected_table(const DiagnosisResult& result) {

@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "causes/term.hpp"
-#include "core/notation.hpp"
 #include "diagnosis/fit/evidence.hpp"
 #include "pages/diagnosis/diagnosis_labels.hpp"
 #include "reports/data_text.hpp"

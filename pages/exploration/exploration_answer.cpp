@@ -7,7 +7,6 @@
 #include <set>
 #include <string_view>
 
-#include "pages/exploration/exploration_designs.hpp"
 #include "pages/page_words.hpp"
 #include "reports/data_text.hpp"
 #include "reports/document/text_table.hpp"
@@ -62,36 +61,27 @@ Json slot(const std::string& id, const std::string& heading, const ListedDesign&
           {"svg", grasp_svg(solve(design.routing), 0, id)}};
 }
 
-void add_sentences(const std::vector<DocumentLine>& lines, Json& sentences) {
-  for (const DocumentLine& line : lines) sentences.push_back(line.text + ".");
-}
-
 // The answer's lines by themselves: the first design, when it jams, the advised one, and others.
 constexpr std::size_t first_lines = 3;
 
 // Returns the target, the first design and the advised one: a phone shows these words alone. When
 // the first one jams is no paragraph of its own: the first screen holds the plot, too.
 Json answer_first(const ExploreReport& report) {
-  Json sentences = Json::array();
-  add_sentences(target_lines(report.target), sentences);
-  std::vector<DocumentLine> lines = answer_lines(listed_designs(report), report.tradeoff);
-  if (lines.size() < first_lines) return sentences;
-  lines.resize(first_lines);
-  lines[0].text += ". " + lines[1].text;
-  lines.erase(lines.begin() + 1);
-  add_sentences(lines, sentences);
-  return sentences;
+  std::vector<DocumentLine> lines = target_lines(report.target);
+  const std::vector<DocumentLine> best = answer_lines(listed_designs(report), report.tradeoff);
+  if (best.size() >= first_lines) {
+    append(lines, {{best[0].text + ". " + best[1].text}, best[2]});
+  }
+  return sentences_of(lines);
 }
 
 Json answer_further(const ExploreReport& report) {
-  Json sentences = Json::array();
   std::vector<DocumentLine> lines = answer_lines(listed_designs(report), report.tradeoff);
   lines.erase(lines.begin(),
               lines.begin() + static_cast<std::ptrdiff_t>(std::min(first_lines, lines.size())));
-  add_sentences(lines, sentences);
-  add_sentences(motor_lines(report.motor, report.options.model.hardware.motor), sentences);
-  add_sentences(robust_lines(report.robust_first), sentences);
-  return sentences;
+  append(lines, motor_lines(report.motor, report.options.model.hardware.motor));
+  append(lines, robust_lines(report.robust_first));
+  return sentences_of(lines);
 }
 
 Json word_or_null(const ListedDesign* design) {

@@ -63,8 +63,7 @@ double three_decimals(double value) { return std::round(1000 * value) / 1000; }
 std::string placed_svg(const SolvedRouting& report, const Places& places, std::size_t grasp,
                        const std::string& ids) {
   const ShownGrasp& shown = report.grasps[grasp];
-  const std::string title = report.name.empty() ? report.word : report.name + ": " + report.word;
-  return schematic_svg(schematic(report.network, places, title,
+  return schematic_svg(schematic(report.network, places, report.title(),
                                  GraspView{shown.grasp, report.direction, shown.state}, false),
                        ids);
 }

@@ -12,7 +12,6 @@
 #include "drawing/chart/chart_axis.hpp"
 #include "pages/objective_plot.hpp"
 #include "pages/page_words.hpp"
-#include "reports/data_text.hpp"
 
 namespace reeve::pages {
 namespace {
@@ -280,9 +279,7 @@ ParetoPanel pareto_panel(const std::vector<PageDesign>& designs,
     panel.layers.push_back({"", dashed, edge_of_front(designs, axes)});
   }
   panel.layers.insert(panel.layers.end(), bands.layers.begin(), bands.layers.end());
-  for (chart::Layer& layer : point_layers(designs, drawn, axes)) {
-    panel.layers.push_back(std::move(layer));
-  }
+  append(panel.layers, point_layers(designs, drawn, axes));
   chart::Points rings;
   for (const AdvisedDesign& design : advised) {
     const auto found = std::ranges::find_if(

@@ -8,8 +8,6 @@
 
 #include "core/notation.hpp"
 #include "pages/exploration/exploration_answer.hpp"
-#include "pages/exploration/exploration_words.hpp"
-#include "pages/routing_parts.hpp"
 #include "pages/shell/compressed.hpp"
 
 namespace reeve::pages {

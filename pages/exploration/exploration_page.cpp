@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/notation.hpp"
 #include "drawing/schematic/schematic_svg.hpp"
 #include "pages/exploration/exploration_answer.hpp"
 #include "pages/exploration/exploration_designs.hpp"
@@ -19,7 +18,6 @@
 #include "pages/shell/template.hpp"
 #include "pages/sweep_figures.hpp"
 #include "reports/assumed_words.hpp"
-#include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/part_words.hpp"
 #include "reports/jam_words.hpp"
@@ -196,8 +194,7 @@ PageFiles exploration_page(const ExplorationView& view) {
   body.update(answer_body(report, view.solve));
   body["tradeoff"] = tradeoff_html(report.tradeoff);
   std::vector<GlossaryTerm> terms = ranking_terms();
-  for (GlossaryTerm& term : objective_terms(page_objectives(report)))
-    terms.push_back(std::move(term));
+  append(terms, objective_terms(page_objectives(report)));
   body["glossary"] = glossary_html("Front, alike and the objectives: what they mean", terms);
   const auto sampled = std::ranges::count_if(
       held.designs, [](const PageDesign& design) { return design.kind == DesignKind::sample; });

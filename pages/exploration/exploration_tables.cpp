@@ -57,7 +57,7 @@ Json best_json(const SingleBest& best, const ListedDesign& first, const std::str
   Json json = objective_json(best.objective, cost_unit);
   json["value"] = cell(best.objective, best.design);
   json["first"] = cell(best.objective, first);
-  json["design"] = design_label(best.design);
+  json["design"] = design_name(best.design);
   json["rank"] = best.design.ranked.rank;
   json["equal"] = best.equal == 0 ? "none" : fmt::format("{} more", best.equal);
   return json;

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "pages/exploration/exploration_designs.hpp"
 #include "pages/page_words.hpp"
 #include "reports/data_text.hpp"
 #include "reports/exploration/decision_words.hpp"
@@ -91,7 +90,7 @@ std::string next_text(const ExploreReport& report, const ListedDesign& first,
                                       four_digits(get(second, objective)),
                                       four_digits(get(first, objective))));
   }
-  const std::string text = "Next comes " + design_label(second);
+  const std::string text = "Next comes " + design_name(second);
   if (differences.empty()) {
     return fmt::format("{}, which equals it in these{}.", text,
                        with_parts(second, report.options.order.objectives));
@@ -134,13 +133,11 @@ std::vector<std::string> won(const ExploreReport& report) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
   if (listed.empty()) {
     std::vector<std::string> text{"No design is left to rank: every routing was rejected."};
-    for (const DocumentLine& line : infeasible_lines(report.options, report.result)) {
-      text.push_back(line.text + ".");
-    }
+    append(text, sentences_of(infeasible_lines(report.options, report.result)));
     return text;
   }
   std::vector<std::string> text{
-      fmt::format("{} comes first of {}: {}{}.", design_label(listed[0]),
+      fmt::format("{} comes first of {}: {}{}.", design_name(listed[0]),
                   plural(ranked_designs(report), "design"),
                   values_text(listed[0].ranked.design.values, report.options.order.objectives),
                   with_parts(listed[0], report.options.order.objectives)),
@@ -164,14 +161,14 @@ std::string draws_text(const ExploreReport& report, const std::vector<ListedDesi
   std::string text = fmt::format(
       "With friction coefficients drawn {} times from their ranges, {} stays first in {} of "
       "the draws.",
-      report.uncertainty->draws, design_label(listed[0]), share_text(share(listed[0])));
+      report.uncertainty->draws, design_name(listed[0]), share_text(share(listed[0])));
   if (listed[0].distribution->first_shared > 0) {
     text += fmt::format(" In {} it shares first place with designs that equal it.",
                         share_text(listed[0].distribution->first_shared));
   }
   if (&most != &listed[0] && share(most) > share(listed[0])) {
     text +=
-        fmt::format(" {} is first most often: in {}.", design_label(most), share_text(share(most)));
+        fmt::format(" {} is first most often: in {}.", design_name(most), share_text(share(most)));
   }
   if (listed[0].constraints_met) {
     text += fmt::format(
@@ -202,7 +199,7 @@ std::vector<std::string> changes(const ExploreReport& report) {
   }
   if (!stays.empty()) {
     text.push_back(fmt::format("{} stays first, or equal to the first, by {}.",
-                               design_label(listed[0]), enumeration(stays)));
+                               design_name(listed[0]), enumeration(stays)));
   }
   if (listed.size() < ranked_designs(report)) {
     text.push_back(fmt::format(
@@ -212,8 +209,7 @@ std::vector<std::string> changes(const ExploreReport& report) {
   }
   text.push_back(draws_text(report, listed));
   constexpr std::size_t best = 10;
-  for (const DocumentLine& line : shared_carriage_lines(one_of_each(listed, best)))
-    text.push_back(line.text + ".");
+  append(text, sentences_of(shared_carriage_lines(one_of_each(listed, best))));
   return text;
 }
 
@@ -258,11 +254,6 @@ std::vector<SingleBest> single_bests(const ExploreReport& report) {
     }
   }
   return bests;
-}
-
-std::string design_label(const ListedDesign& design) {
-  const std::string& word = design.ranked.design.word;
-  return design.name.empty() ? word : design.name + " (" + word + ")";
 }
 
 }  // namespace reeve::pages

@@ -33,7 +33,4 @@ struct SingleBest {
 // One for each objective, or none if no design is listed.
 std::vector<SingleBest> single_bests(const ExploreReport& report);
 
-// "TR7 (1-P-2-P-1)", or the word alone.
-std::string design_label(const ListedDesign& design);
-
 }  // namespace reeve::pages

@@ -125,9 +125,7 @@ chart::Panel parallel_panel(const std::vector<PageDesign>& designs,
     }
     paths[static_cast<std::size_t>(design.kind)].paths.push_back(std::move(line));
   }
-  for (chart::Layer& layer : kind_layers(paths, line_style)) {
-    panel.layers.push_back(std::move(layer));
-  }
+  append(panel.layers, kind_layers(paths, line_style));
   chart::Style ink;
   ink.colour = chart::Colour::ink;
   panel.layers.push_back({"", ink, ends(heights, shown)});

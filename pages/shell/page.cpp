@@ -2,10 +2,8 @@
 
 #include <sstream>
 
-#include "core/version.hpp"
 #include "pages/shell/asset_table.hpp"
 #include "pages/shell/template.hpp"
-#include "reports/output/files.hpp"
 
 namespace reeve::pages {
 namespace {

@@ -74,4 +74,12 @@ void write_result(const std::filesystem::path& folder, ResultFiles result, const
   batch.commit();
 }
 
+void write_result(const std::filesystem::path& folder, PageFiles page, const ResultFile& json,
+                  std::vector<ResultFile> tables) {
+  write_result(
+      folder,
+      {std::move(tables), std::move(page.figures), {{"index.html", std::move(page.html)}, json}},
+      result_stamp(*json.text));
+}
+
 }  // namespace reeve::pages

@@ -26,4 +26,8 @@ struct ResultFiles {
 // Writes them as one batch (files.hpp), each with the stamp. Throws InputError.
 void write_result(const std::filesystem::path& folder, ResultFiles result, const Stamp& stamp);
 
+// Writes index.html with its figures, the tables before it, and the JSON that has the stamp.
+void write_result(const std::filesystem::path& folder, PageFiles page, const ResultFile& json,
+                  std::vector<ResultFile> tables = {});
+
 }  // namespace reeve::pages

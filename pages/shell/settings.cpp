@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/finger_guides.hpp"
-#include "pages/routing_parts.hpp"
+#include "pages/page_words.hpp"
 #include "pages/shell/template.hpp"
 #include "reports/data_text.hpp"
 #include "reports/model_text.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text.hpp"
 #include "diagnosis/fit/evidence.hpp"
 #include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_evidence.hpp"

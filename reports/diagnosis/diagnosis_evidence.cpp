@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <tuple>
 #include <utility>
 
@@ -91,6 +92,33 @@ Table share_error_table(const DiagnosisReport& report) {
     table.add(std::move(cells));
   }
   leave_out_grasps(report, table);
+  return table;
+}
+
+void add_gains(const DiagnosisResult& result, Table& gains) {
+  const auto add = [&](const std::string& name, const HeldOut& held_out) {
+    gains.add({name, newton(held_out.rms_before_N), newton(held_out.rms_after_N),
+               percent_text(held_out.reduction),
+               percent_text(held_out.low) + " to " + percent_text(held_out.high),
+               gain_number(held_out.log_likelihood_gain),
+               gain_interval(held_out.gain_low, held_out.gain_high),
+               gain_number(held_out.expected_gain)});
+  };
+  for (const NamedCause& cause : result.causes) {
+    if (cause.held_out) add(cause.name, *cause.held_out);
+  }
+  if (result.held_out && result.causes.size() > 1) add("all together", *result.held_out);
+}
+
+Table structure_table(const DiagnosisReport& report, std::size_t most) {
+  Table table{{text_column("residuals follow"), number_column("size"),
+               number_column("deviations from chance"), number_column("p of this alone")},
+              {}};
+  for (const StructureFinding& finding : report.result.structure | std::views::take(most)) {
+    table.add({pattern_text(report, finding.about),
+               part_of_residuals(report, structure_N(report, finding)), fixed(finding.statistic, 1),
+               p_number(finding.p_value, report.settings.replicates)});
+  }
   return table;
 }
 

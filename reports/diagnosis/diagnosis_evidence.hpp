@@ -18,6 +18,12 @@ std::string contacts_text(const std::vector<ContactKind>& contacts);
 // How far the tension distribution is off, by routing. No rows where no reading has all strands.
 Table share_error_table(const DiagnosisReport& report);
 
+// Adds a row for each cause by which held-out runs are forecast better, and one for all together.
+void add_gains(const DiagnosisResult& result, Table& gains);
+
+// The strongest patterns that the residuals follow, `most` at most.
+Table structure_table(const DiagnosisReport& report, std::size_t most);
+
 // Losses from sensor to sensor, as the remaining factor. It has no rows if no two neighbouring
 // segments were measured.
 Table loss_table(const DiagnosisReport& report);

@@ -21,8 +21,8 @@ EstimatedParameter as_parameter(const EstimatesByGroup& of, const GroupEstimate&
 std::string group_text(const EstimatesByGroup& of, const GroupEstimate& one,
                        const std::string& name) {
   const EstimatedParameter parameter = as_parameter(of, one);
-  return fmt::format("{} ({} to {}) in {}", estimate(parameter, parameter.value),
-                     estimate(parameter, parameter.low), estimate(parameter, parameter.high), name);
+  return fmt::format("{} ({}) in {}", estimate(parameter, parameter.value),
+                     interval_text(parameter), name);
 }
 
 // No smaller than that of any other finding: the t distribution of few readings is no truth to so
@@ -88,8 +88,7 @@ Table group_table(const DiagnosisReport& report) {
       const bool stands_out = of.differs && one.group == of.farthest;
       table.add({fmt::format("{}, {}{}", of.cause, of.parameter, unit),
                  report.data.groups[one.group], estimate(parameter, parameter.value),
-                 fmt::format("{} to {}", estimate(parameter, parameter.low),
-                             estimate(parameter, parameter.high)),
+                 interval_text(parameter),
                  stands_out ? fmt::format("stands out ({})", chance_text(of, report)) : ""});
     }
   }

@@ -197,11 +197,10 @@ std::vector<std::string> coefficient_sentences(const DiagnosisResult& result) {
   std::vector<std::string> sentences;
   for (const CalibratedCoefficient& coefficient : result.calibration) {
     const EstimatedParameter& parameter = coefficient.parameter;
-    sentences.push_back(fmt::format(
-        "{}: {} = {} ({} to {}{}), {}", coefficient.name, parameter.name,
-        estimate(parameter, parameter.value), estimate(parameter, parameter.low),
-        estimate(parameter, parameter.high),
-        parameter.at_bound ? ", at the limit of the search" : "", beside_hardware(coefficient)));
+    sentences.push_back(fmt::format("{}: {} = {} ({}{}), {}", coefficient.name, parameter.name,
+                                    estimate(parameter, parameter.value), interval_text(parameter),
+                                    parameter.at_bound ? ", at the limit of the search" : "",
+                                    beside_hardware(coefficient)));
   }
   return sentences;
 }

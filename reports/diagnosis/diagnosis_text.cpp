@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/text.hpp"
 #include "diagnosis/fit/evidence.hpp"
 #include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_evidence.hpp"
@@ -49,10 +48,6 @@ Section data_section(const DiagnosisReport& report) {
   return section;
 }
 
-std::string literature_text(const std::optional<Range>& range) {
-  return range ? fmt::format("{:.4g} to {:.4g}", range->low, range->high) : "-";
-}
-
 std::vector<TableColumn> cause_columns() {
   return {text_column("cause"),
           number_column("explains"),
@@ -85,11 +80,9 @@ Section causes_section(const DiagnosisReport& report) {
       const EstimatedParameter& parameter = cause.parameters[i];
       const bool first = i == 0;
       table.add({first ? cause.name : "", first ? explains : "", parameter.name,
-                 estimate(parameter, parameter.value),
-                 fmt::format("{} to {}", estimate(parameter, parameter.low),
-                             estimate(parameter, parameter.high)),
+                 estimate(parameter, parameter.value), interval_text(parameter),
                  parameter.nominal ? estimate(parameter, *parameter.nominal) : "-",
-                 literature_text(parameter.literature), parameter_unit(cause, i), first ? p : "",
+                 literature_range(parameter, "-"), parameter_unit(cause, i), first ? p : "",
                  first ? other : ""});
     }
   }
@@ -101,15 +94,6 @@ Section causes_section(const DiagnosisReport& report) {
   return section;
 }
 
-void add_gain(Table& table, const std::string& name, const HeldOut& held_out) {
-  table.add({name, newton(held_out.rms_before_N), newton(held_out.rms_after_N),
-             percent_text(held_out.reduction),
-             fmt::format("{} to {}", percent_text(held_out.low), percent_text(held_out.high)),
-             gain_number(held_out.log_likelihood_gain),
-             gain_interval(held_out.gain_low, held_out.gain_high),
-             gain_number(held_out.expected_gain)});
-}
-
 Section gains_section(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   if (!result.held_out) return {};
@@ -118,10 +102,7 @@ Section gains_section(const DiagnosisReport& report) {
                number_column("log-likelihood gain", "", 1), number_column("95 % interval", "", 2),
                number_column("expected gain", "", 3)},
               {}};
-  for (const NamedCause& cause : result.causes) {
-    if (cause.held_out) add_gain(table, cause.name, *cause.held_out);
-  }
-  if (result.causes.size() > 1) add_gain(table, "all together", *result.held_out);
+  add_gains(result, table);
   return {fmt::format("Gain on {}, each cause over all others",
                       plural(result.held_out_runs, "held-out run")),
           table,
@@ -162,19 +143,10 @@ Section left_section(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   if (result.structure.empty()) return {};
   constexpr std::size_t most = 3;
-  Table table{{text_column("residuals follow"), number_column("size"),
-               number_column("deviations from chance"), number_column("p of this alone")},
-              {}};
-  for (std::size_t i = 0; i < result.structure.size() && i < most; ++i) {
-    const StructureFinding& finding = result.structure[i];
-    table.add({pattern_text(report, finding.about),
-               part_of_residuals(report, structure_N(report, finding)), fixed(finding.statistic, 1),
-               p_number(finding.p_value, report.settings.replicates)});
-  }
   return {fmt::format("Structure in the residuals: the strongest of {} ({} for all together)",
                       plural(result.structure.size(), "pattern"),
                       p_text(result.structure_p_value, report.settings.replicates)),
-          table,
+          structure_table(report, most),
           {}};
 }
 

@@ -47,15 +47,15 @@ std::string literature_text(const EstimatedParameter& parameter) {
   if (!parameter.literature) return "";
   const Range range = *parameter.literature;
   const bool outside = parameter.value < range.low || parameter.value > range.high;
-  return fmt::format("{} {:.4g} to {:.4g}", outside ? "; outside the literature's" : ", literature",
-                     range.low, range.high);
+  return (outside ? "; outside the literature's " : ", literature ") +
+         literature_range(parameter, "");
 }
 
 std::string parameter_text(const EstimatedParameter& parameter, const Effect& effect) {
-  return fmt::format("{} = {}{} (95 % CI {} to {}{}{})", parameter.name,
+  return fmt::format("{} = {}{} (95 % CI {}{}{})", parameter.name,
                      estimate(parameter, parameter.value), unit_text(parameter),
-                     estimate(parameter, parameter.low), estimate(parameter, parameter.high),
-                     nominal_text(parameter, effect), literature_text(parameter));
+                     interval_text(parameter), nominal_text(parameter, effect),
+                     literature_text(parameter));
 }
 
 // "95 % intervals of a 0.1 to 0.2, of b 30 to 40"
@@ -63,8 +63,7 @@ std::string intervals_text(const NamedCause& cause) {
   std::string text = cause.parameters.size() == 1 ? "95 % interval" : "95 % intervals";
   const char* comma = "";
   for (const EstimatedParameter& parameter : cause.parameters) {
-    text += fmt::format("{} of {} {} to {}", comma, parameter.name,
-                        estimate(parameter, parameter.low), estimate(parameter, parameter.high));
+    text += fmt::format("{} of {} {}", comma, parameter.name, interval_text(parameter));
     comma = ",";
   }
   return text;
@@ -96,6 +95,15 @@ std::string estimate(const EstimatedParameter& parameter, double value) {
   return vanishes ? fmt::format("{:.2g}", value) : fmt::format("{:.{}f}", value, places);
 }
 
+std::string interval_text(const EstimatedParameter& parameter) {
+  return estimate(parameter, parameter.low) + " to " + estimate(parameter, parameter.high);
+}
+
+std::string literature_range(const EstimatedParameter& parameter, const char* none) {
+  const std::optional<Range>& range = parameter.literature;
+  return range ? fmt::format("{:.4g} to {:.4g}", range->low, range->high) : none;
+}
+
 std::string cause_text(const NamedCause& cause) {
   if (const Term* term = term_of(*cause.effect.cause)) {
     return formula(*term, cause.effect.values) + ", " + intervals_text(cause);
@@ -124,9 +132,8 @@ std::string cause_sentence(const NamedCause& cause) {
 std::string size_with_interval(const NamedCause& cause) {
   std::string text = cause.name;
   for (const EstimatedParameter& parameter : cause.parameters) {
-    text += fmt::format(", {} = {}{} ({} to {})", parameter.name,
-                        estimate(parameter, parameter.value), unit_text(parameter),
-                        estimate(parameter, parameter.low), estimate(parameter, parameter.high));
+    text += fmt::format(", {} = {}{} ({})", parameter.name, estimate(parameter, parameter.value),
+                        unit_text(parameter), interval_text(parameter));
   }
   return text;
 }

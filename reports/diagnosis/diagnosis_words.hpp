@@ -20,6 +20,11 @@ std::string joined_causes(const std::vector<std::string>& names);
 // To as many places as the interval is known.
 std::string estimate(const EstimatedParameter& parameter, double value);
 
+// "0.087 to 0.093"
+std::string interval_text(const EstimatedParameter& parameter);
+// "0.05 to 0.2", or what stands for none.
+std::string literature_range(const EstimatedParameter& parameter, const char* none);
+
 // "tube_friction, mu = 0.090 (0.087 to 0.093; nominal 0.180, literature 0.05 to 0.2)"; of
 // a law "phi' = phi (1 + 0.0083 (humidity_pct - 50)), 95 % interval of a 0.0079 to 0.0087".
 std::string cause_text(const NamedCause& cause);

@@ -34,10 +34,14 @@ void Document::add(Section section) {
   if (section.table || !section.lines.empty()) sections.push_back(std::move(section));
 }
 
-void add_lines(std::vector<DocumentLine>& lines, const std::string& text, bool caveat) {
+void Document::add_all(std::vector<Section> more) {
+  for (Section& section : more) add(std::move(section));
+}
+
+void add_lines(std::vector<DocumentLine>& lines, const std::string& text) {
   std::istringstream in(text);
   in.exceptions(std::ios::badbit);  // no memory is no end of the text
-  for (std::string line; std::getline(in, line);) lines.push_back({line, caveat});
+  for (std::string line; std::getline(in, line);) lines.push_back({line});
 }
 
 std::string percent(double share) {

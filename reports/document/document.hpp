@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,8 +31,8 @@ std::string heading_text(const TableColumn& column);
 // A unit where room is short: "" of shares and of ratios, which read as numbers.
 std::string shown_unit(const std::string& unit);
 
-// Beside a word that says the same.
-enum class Tint : std::uint8_t { none, good, notable, bad };
+// Beside a word that says the same; titles and headings are strong.
+enum class Tint : std::uint8_t { none, good, notable, bad, strong };
 
 struct TableRow {
   std::vector<std::string> cells;
@@ -63,6 +64,7 @@ struct Document {
 
   // Nothing, if it holds neither a table nor a line.
   void add(Section section);
+  void add_all(std::vector<Section> more);
 };
 
 // Capabilities of the output. By default no window limits it and nothing can show colour: a file, a
@@ -77,8 +79,15 @@ std::string text(const Document& document, const TextStyle& look = {});
 // Tables have pipes, as GitHub shows them.
 std::string markdown(const Document& document);
 
+// Appends all items of another list.
+template <typename Item>
+void append(std::vector<Item>& list, std::vector<Item> more) {
+  list.insert(list.end(), std::make_move_iterator(more.begin()),
+              std::make_move_iterator(more.end()));
+}
+
 // Appends the lines of a text as lines.
-void add_lines(std::vector<DocumentLine>& lines, const std::string& text, bool caveat = false);
+void add_lines(std::vector<DocumentLine>& lines, const std::string& text);
 
 std::string percent(double share);  // "72.1 %"; "-" if it is none
 

@@ -7,15 +7,15 @@ namespace reeve::reports {
 namespace {
 
 // Wraps a line. Indented text, or an entry of a list, continues below its own beginning.
-std::string line_text(const std::string& line, Ink ink, const TextStyle& look) {
-  if (look.width == 0) return inked(line, ink, look) + '\n';
+std::string line_text(const std::string& line, Tint tint, const TextStyle& look) {
+  if (look.width == 0) return inked(line, tint, look) + '\n';
   std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
   if (line.compare(indent, 2, "- ") == 0) indent += 2;
   if (2 * indent > look.width) indent = 0;
   std::string text;
   for (const std::string& piece : wrap_words(line.substr(indent), look.width - indent)) {
     const std::string start = text.empty() ? line.substr(0, indent) : std::string(indent, ' ');
-    text += inked(start + piece, ink, look) + '\n';
+    text += inked(start + piece, tint, look) + '\n';
   }
   return text;
 }
@@ -26,7 +26,7 @@ std::string title_text(std::string title, const TextStyle& look) {
   std::vector<DocumentLine> lines;
   add_lines(lines, title);
   std::string text;
-  for (const DocumentLine& line : lines) text += line_text(line.text, Ink::strong, look);
+  for (const DocumentLine& line : lines) text += line_text(line.text, Tint::strong, look);
   return text;
 }
 
@@ -34,7 +34,7 @@ std::string section_text(const Section& section, const TextStyle& look) {
   std::string result = title_text(section.title, look);
   if (section.table) result += text(*section.table, look);
   for (const DocumentLine& line : section.lines) {
-    result += line_text(line.text, line.caveat ? Ink::notable : Ink::plain, look);
+    result += line_text(line.text, line.caveat ? Tint::notable : Tint::none, look);
   }
   return result;
 }

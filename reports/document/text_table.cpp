@@ -128,23 +128,9 @@ FittedTable fit(const Table& table, std::size_t width) {
   return fitted;
 }
 
-Ink ink_of(Tint tint) {
-  switch (tint) {
-    case Tint::none:
-      return Ink::plain;
-    case Tint::good:
-      return Ink::good;
-    case Tint::notable:
-      return Ink::notable;
-    case Tint::bad:
-      return Ink::bad;
-  }
-  return Ink::plain;
-}
-
 // One row of a table, in as many lines as its cells need.
 std::string row_text(const Table& table, const TableRow& row,
-                     const std::vector<std::size_t>& widths, Ink ink, const TextStyle& look) {
+                     const std::vector<std::size_t>& widths, Tint tint, const TextStyle& look) {
   std::vector<std::vector<std::string>> cells;
   std::size_t height = 1;
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
@@ -159,7 +145,7 @@ std::string row_text(const Table& table, const TableRow& row,
       line += padded(k < cells[i].size() ? cells[i][k] : "", widths[i], table.columns[i].is_text);
     }
     line.erase(line.find_last_not_of(' ') + 1);
-    text += inked(line, ink, look) + '\n';
+    text += inked(line, tint, look) + '\n';
   }
   return text;
 }
@@ -168,21 +154,21 @@ std::string part_text(const Table& table, const std::vector<std::size_t>& widths
                       const TextStyle& look) {
   TableRow headings;
   for (const TableColumn& column : table.columns) headings.cells.push_back(text_heading(column));
-  std::string text = row_text(table, headings, widths, Ink::strong, look);
+  std::string text = row_text(table, headings, widths, Tint::strong, look);
   for (const TableRow& row : table.rows) {
-    text += row_text(table, row, widths, ink_of(row.tint), look);
+    text += row_text(table, row, widths, row.tint, look);
   }
   return text;
 }
 
 }  // namespace
 
-std::string inked(const std::string& line, Ink ink, const TextStyle& look) {
-  if (!look.colour || ink == Ink::plain || line.empty()) return line;
-  const char* code = ink == Ink::strong ? "1"
-                     : ink == Ink::good ? "32"
-                     : ink == Ink::bad  ? "31"
-                                        : "33";
+std::string inked(const std::string& line, Tint tint, const TextStyle& look) {
+  if (!look.colour || tint == Tint::none || line.empty()) return line;
+  const char* code = tint == Tint::strong ? "1"
+                     : tint == Tint::good ? "32"
+                     : tint == Tint::bad  ? "31"
+                                          : "33";
   return fmt::format("\x1b[{}m{}\x1b[0m", code, line);
 }
 

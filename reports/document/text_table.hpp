@@ -1,7 +1,6 @@
 // A table in columns that are aligned, numbers to the right.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "reports/document/document.hpp"
@@ -12,9 +11,7 @@ namespace reeve::reports {
 // wrapped; and what still finds no room follows below, with the first column again.
 std::string text(const Table& table, const TextStyle& look = {});
 
-enum class Ink : std::uint8_t { plain, strong, good, notable, bad };
-
-// The line with the codes for its ink around it, if the look has colour.
-std::string inked(const std::string& line, Ink ink, const TextStyle& look);
+// The line with the codes for its tint around it, if the look has colour.
+std::string inked(const std::string& line, Tint tint, const TextStyle& look);
 
 }  // namespace reeve::reports

@@ -231,11 +231,8 @@ std::vector<DocumentLine> answer_lines(const std::vector<ListedDesign>& designs,
   if (designs.empty() || tradeoff.steps.empty()) return {};
   std::vector<DocumentLine> lines{{first_text(designs.front(), tradeoff)},
                                   {jams_text(designs.front(), tradeoff)}};
-  if (tradeoff.choice) {
-    for (DocumentLine& line : choice_lines(tradeoff)) lines.push_back(std::move(line));
-  } else {
-    lines.push_back({affordable_text(tradeoff)});
-  }
+  append(lines, tradeoff.choice ? choice_lines(tradeoff)
+                                : std::vector<DocumentLine>{{affordable_text(tradeoff)}});
   if (tradeoff.tradeoff.knee) {
     const TradeoffStep& step = tradeoff.tradeoff.steps[*tradeoff.tradeoff.knee];
     lines.push_back({fmt::format("Knee of the trade-off: {}, {}",
@@ -301,7 +298,7 @@ std::vector<DocumentLine> infeasible_lines(const ExploreOptions& options,
   }
   const Hardware& hardware = options.model.hardware;
   const double work_J = least_work_J(hardware, options.generator.fingers, options.grasps);
-  for (const DocumentLine& line : energy_lines(work_J, hardware.motor)) lines.push_back(line);
+  append(lines, energy_lines(work_J, hardware.motor));
   return lines;
 }
 

@@ -266,7 +266,7 @@ std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs, 
 
 std::vector<DocumentLine> list_notes(const std::vector<ListedDesign>& shown) {
   std::vector<DocumentLine> lines = equivalent_lines(shown);
-  for (DocumentLine& line : shared_carriage_lines(shown)) lines.push_back(std::move(line));
+  append(lines, shared_carriage_lines(shown));
   return lines;
 }
 

@@ -135,10 +135,8 @@ std::vector<DocumentLine> opening_lines(const ExploreReport& report) {
   lines.push_back({"Parts: " + routings_text(report.options.generator)});
   const std::string note = partial_note(report);
   if (!note.empty()) lines.push_back({"PARTIAL: " + note, true});
-  for (const std::string& line : notes(report)) lines.push_back({"Note: " + line, true});
-  for (const DocumentLine& line : model_lines(report.options.model, result.unconverged)) {
-    lines.push_back(line);
-  }
+  append(lines, note_lines(notes(report)));
+  append(lines, model_lines(report.options.model, result.unconverged));
   if (report.options.order.by_score) {
     lines.push_back({order_text(report.options.order, report.options.score)});
   }
@@ -151,18 +149,14 @@ std::vector<DocumentLine> opening_lines(const ExploreReport& report) {
 Section answer_section(const ExploreReport& report) {
   std::vector<DocumentLine> lines = target_lines(report.target);
   const bool has_target = !lines.empty();
-  for (const DocumentLine& line : infeasible_lines(report.options, report.result)) {
-    lines.push_back(line);
-  }
+  append(lines, infeasible_lines(report.options, report.result));
   const std::vector<DocumentLine> best = answer_lines(report.top, report.tradeoff);
   if (has_target && !best.empty()) lines.push_back({"Apart from the target:"});
-  lines.insert(lines.end(), best.begin(), best.end());
+  append(lines, best);
   const MotorParts& motor = report.options.model.hardware.motor;
-  for (const DocumentLine& line : motor_lines(report.motor, motor)) lines.push_back(line);
-  for (const DocumentLine& line : robust_lines(report.robust_first)) {
-    lines.push_back(line);
-  }
-  for (const DocumentLine& line : shared_first_lines(report.top)) lines.push_back(line);
+  append(lines, motor_lines(report.motor, motor));
+  append(lines, robust_lines(report.robust_first));
+  append(lines, shared_first_lines(report.top));
   return {"", std::nullopt, lines};
 }
 
@@ -227,9 +221,7 @@ Document explore_document(const ExploreReport& report, const ListColumns& wanted
   }
   document.add(tradeoff_section(report.tradeoff));
   document.add(known_section(report));
-  if (report.sweep) {
-    for (Section& section : sweep_sections(*report.sweep)) document.add(std::move(section));
-  }
+  if (report.sweep) document.add_all(sweep_sections(*report.sweep));
   return document;
 }
 
@@ -245,9 +237,7 @@ std::vector<std::string> notes(const ExploreReport& report) {
                                 plural(count, "design"), report.result.why_without_tensions));
   }
   if (report.uncertainty) {
-    for (std::string& note : range_notes(hardware, report.uncertainty->ranges)) {
-      notes.push_back(std::move(note));
-    }
+    append(notes, range_notes(hardware, report.uncertainty->ranges));
   }
   if (options.generator.identity == FingerIdentity::distinct) return notes;
   if (!treats_motors_alike(options.grasps)) {

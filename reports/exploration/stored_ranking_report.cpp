@@ -8,6 +8,7 @@
 #include "reports/exploration/design_list.hpp"
 #include "reports/exploration/explore_report.hpp"
 #include "reports/exploration/tradeoff_report.hpp"
+#include "reports/model_text.hpp"
 #include "reports/output/json.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 
@@ -61,7 +62,7 @@ std::vector<DocumentLine> opening(const StoredRanking& ranking) {
   if (ranking.partial) lines.push_back({"PARTIAL: " + partial_text(ranking), true});
   const std::string note = inexact_note(ranking);
   if (!note.empty()) lines.push_back({"Note: " + note, true});
-  for (const std::string& line : notes(ranking.report)) lines.push_back({"Note: " + line, true});
+  append(lines, note_lines(notes(ranking.report)));
   lines.push_back({order_text(ranking.report.options.order, ranking.report.options.score)});
   return lines;
 }

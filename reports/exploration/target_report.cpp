@@ -110,7 +110,7 @@ std::vector<DocumentLine> target_lines(const std::optional<TargetReport>& report
       {start + targeted_text(first, goal), !first.is_met()},
       {fmt::format("Designs with this ratio by statics, without friction: {}",
                    report->by_statics)}};
-  for (const DocumentLine& line : bar_lines(goal)) lines.push_back(line);
+  append(lines, bar_lines(goal));
   const SizedGoal& sized = first.sized.design.after;
   const MotorParts& motor = report->sizing.nominal.hardware.motor;
   for (const DocumentLine& line : motor_lines(sized.motor, motor)) {
