@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,27 @@ class ParsedCommand {
   CLI::App program_{"", "reeve"};
   CLI::App& command_;
   Flags flags_;
+};
+
+// A subcommand: its name, help and options, and the work that gives the exit code.
+template <typename Flags>
+struct Subcommand {
+  const char* name;
+  const char* help;
+  void (*add_options)(CLI::App&, Flags&);
+  int (*run)(const Flags&, const CLI::App&);
+
+  void add_to(CLI::App& program, int& exit_code) const {
+    CLI::App* command = program.add_subcommand(name, help);
+    auto flags = std::make_shared<Flags>();
+    add_options(*command, *flags);
+    command->callback(
+        [run = run, flags, command, &exit_code] { exit_code = run(*flags, *command); });
+  }
+
+  ParsedCommand<Flags> parsed(const std::vector<std::string>& arguments) const {
+    return {name, add_options, arguments};
+  }
 };
 
 }  // namespace reeve::cli

@@ -128,6 +128,14 @@ std::string is_seed(const std::string& text) {
                      std::numeric_limits<std::uint64_t>::max());
 }
 
+void add_threads(CLI::App& command, int& threads) {
+  command
+      .add_option("--threads", threads,
+                  "Number of threads; 0: all. The result does not depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+}
+
 CLI::Option* HardwareOption::add_to(CLI::App& command) {
   option_ =
       command.add_option("--hardware", file_,
@@ -428,11 +436,7 @@ void RankingFlags::add_to(CLI::App& command) {
       ->needs(drawn)
       ->check(is_seed)
       ->capture_default_str();
-  command
-      .add_option("--threads", threads,
-                  "Number of threads; 0: all. The result does not depend on it")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+  add_threads(command, threads);
 }
 
 Score RankingFlags::read_score() const {

@@ -67,6 +67,9 @@ auto for_name(const std::string& start, Read read) {
 // number.
 std::string is_seed(const std::string& text);
 
+// --threads, on whose value no result depends.
+void add_threads(CLI::App& command, int& threads);
+
 inline constexpr const char* default_hardware_name = "the paper's, by default";
 
 struct HardwareOption {

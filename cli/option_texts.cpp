@@ -3,7 +3,9 @@
 #include <CLI/CLI.hpp>
 
 #include <sstream>
+#include <utility>
 
+#include "cli/api.hpp"
 #include "cli/commands/commands.hpp"
 
 namespace reeve::cli {
@@ -54,6 +56,13 @@ std::vector<SubcommandText> subcommand_texts() {
     }
   }
   return texts;
+}
+
+std::vector<OptionText> api::option_texts(const std::string& subcommand) {
+  for (SubcommandText& text : subcommand_texts()) {
+    if (text.name == subcommand) return std::move(text.options);
+  }
+  return {};
 }
 
 }  // namespace reeve::cli

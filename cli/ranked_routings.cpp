@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/notation.hpp"
 #include "core/text.hpp"
+#include "reports/document/document.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -97,9 +98,7 @@ std::vector<Routing> ranked_routings(const AskedRoutings& asked, const Catalogue
   }
   if (asked.catalogued) {
     const int fingers = result.empty() ? asked.fingers : finger_count(result.front());
-    for (Routing& routing : catalogued(asked, fingers, catalogue)) {
-      result.push_back(std::move(routing));
-    }
+    append(result, catalogued(asked, fingers, catalogue));
   }
   if (result.empty()) {
     throw InputError({.where = "rank",

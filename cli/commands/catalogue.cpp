@@ -1,5 +1,4 @@
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,13 +44,11 @@ std::vector<ListedMechanism> listed(const CatalogueFlags& flags) {
 
 void write_page(const std::filesystem::path& folder, const std::vector<ListedMechanism>& list,
                 const CLI::App& command) {
-  const PageFiles page = catalogue_page(list, command_line(command, {"--format"}));
-  const std::string json = catalogue_json(list);
-  write_result(folder, {{}, page.figures, {{"index.html", page.html}, {"catalogue.json", json}}},
-               result_stamp(json));
+  write_result(folder, catalogue_page(list, command_line(command, {"--format"})),
+               {"catalogue.json", catalogue_json(list)});
 }
 
-void run(const CatalogueFlags& flags, const CLI::App& command) {
+int run(const CatalogueFlags& flags, const CLI::App& command) {
   const std::vector<ListedMechanism> list = listed(flags);
   std::filesystem::path folder;
   if (flags.out.is_given()) {
@@ -63,24 +60,25 @@ void run(const CatalogueFlags& flags, const CLI::App& command) {
   if (flags.out.is_given()) {
     std::cout << announced("index.html, catalogue.json and figures", folder, flags.format);
   }
+  return done;
 }
+
+constexpr Subcommand<CatalogueFlags> catalogue_command{
+    "catalogue", "List known routings and mechanisms by name, with their words and drawings",
+    add_options, run};
 
 }  // namespace
 
-void add_catalogue(CLI::App& program, int&) {
-  CLI::App* command = program.add_subcommand(
-      "catalogue", "List known routings and mechanisms by name, with their words and drawings");
-  auto flags = std::make_shared<CatalogueFlags>();
-  add_options(*command, *flags);
-  command->callback([flags, command] { run(*flags, *command); });
+void add_catalogue(CLI::App& program, int& exit_code) {
+  catalogue_command.add_to(program, exit_code);
 }
 
 api::ListedCatalogue api::catalogue(const Arguments& arguments) {
-  return {listed(ParsedCommand<CatalogueFlags>("catalogue", add_options, arguments).flags())};
+  return {listed(catalogue_command.parsed(arguments).flags())};
 }
 
 void api::write(const ListedCatalogue& catalogue, const Arguments& arguments) {
-  const ParsedCommand<CatalogueFlags> parsed("catalogue", add_options, arguments);
+  const auto parsed = catalogue_command.parsed(arguments);
   write_page(parsed.flags().out.prepare(), catalogue.mechanisms, parsed.command());
 }
 

@@ -1,5 +1,4 @@
 #include <iostream>
-#include <memory>
 
 #include "cli/api.hpp"
 #include "cli/command_line.hpp"
@@ -42,28 +41,26 @@ CheckReport checked(const CheckFlags& flags, const Catalogue& catalogue) {
   return check_all(catalogue, CatalogueFiles::shipped(), flags.family.read(catalogue));
 }
 
-}  // namespace
-
-void add_check(CLI::App& program, int& exit_code) {
-  CLI::App* command = program.add_subcommand(
-      "check",
-      "Recompute the published numbers of the catalogue, and say which differ and "
-      "why");
-  auto flags = std::make_shared<CheckFlags>();
-  add_options(*command, *flags);
-  command->callback([flags, &exit_code] {
-    const Catalogue catalogue = shipped_catalogue();
-    const CheckReport report = checked(*flags, catalogue);
-    flags->svg.require_apart_from({});
-    if (flags->svg.is_given()) flags->svg.write(catalogue_document(solve(catalogue)));
-    std::cout << (flags->format.is("json") ? check_json(report)
-                                           : printed(check_sheet(report), flags->format));
-    exit_code = report.count(CheckStatus::differs) == 0 ? done : answer_is_no;
-  });
+int run(const CheckFlags& flags, const CLI::App&) {
+  const Catalogue catalogue = shipped_catalogue();
+  const CheckReport report = checked(flags, catalogue);
+  flags.svg.require_apart_from({});
+  if (flags.svg.is_given()) flags.svg.write(catalogue_document(solve(catalogue)));
+  std::cout << (flags.format.is("json") ? check_json(report)
+                                        : printed(check_sheet(report), flags.format));
+  return report.count(CheckStatus::differs) == 0 ? done : answer_is_no;
 }
 
+constexpr Subcommand<CheckFlags> check_command{
+    "check", "Recompute the published numbers of the catalogue, and say which differ and why",
+    add_options, run};
+
+}  // namespace
+
+void add_check(CLI::App& program, int& exit_code) { check_command.add_to(program, exit_code); }
+
 CheckReport api::check(const Arguments& arguments) {
-  const ParsedCommand<CheckFlags> parsed("check", add_options, arguments);
+  const auto parsed = check_command.parsed(arguments);
   return checked(parsed.flags(), shipped_catalogue());
 }
 

@@ -1,6 +1,5 @@
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -58,11 +57,12 @@ void write_files(const CompareReport& report, const CompareFlags& flags) {
       result_stamp(json));
 }
 
-void run(const CompareFlags& flags) {
+int run(const CompareFlags& flags, const CLI::App&) {
   const CompareReport result = report(flags);
   if (flags.out_given->count() > 0) write_files(result, flags);
   std::cout << (flags.format.is("json") ? compare_json(result)
                                         : printed(compare_sheet(result), flags.format));
+  return done;
 }
 
 void add_options(CLI::App& command, CompareFlags& flags) {
@@ -76,22 +76,19 @@ void add_options(CLI::App& command, CompareFlags& flags) {
   flags.format.add_to(command, with_tables({"json"}));
 }
 
+constexpr Subcommand<CompareFlags> compare_command{
+    "compare", "Compare measured tensions with the model; nothing is fitted", add_options, run};
+
 }  // namespace
 
-void add_compare(CLI::App& program, int&) {
-  CLI::App* command = program.add_subcommand(
-      "compare", "Compare measured tensions with the model; nothing is fitted");
-  auto flags = std::make_shared<CompareFlags>();
-  add_options(*command, *flags);
-  command->callback([flags] { run(*flags); });
-}
+void add_compare(CLI::App& program, int& exit_code) { compare_command.add_to(program, exit_code); }
 
 CompareReport api::compare(const Arguments& arguments) {
-  return report(ParsedCommand<CompareFlags>("compare", add_options, arguments).flags());
+  return report(compare_command.parsed(arguments).flags());
 }
 
 void api::write(const CompareReport& report, const Arguments& arguments) {
-  write_files(report, ParsedCommand<CompareFlags>("compare", add_options, arguments).flags());
+  write_files(report, compare_command.parsed(arguments).flags());
 }
 
 }  // namespace reeve::cli

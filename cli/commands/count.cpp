@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,10 +42,11 @@ CountReport counted(const CountFlags& flags) {
   return report;
 }
 
-void run(const CountFlags& flags) {
+int run(const CountFlags& flags, const CLI::App&) {
   const CountReport report = counted(flags);
   std::cout << (flags.format.is("json") ? count_json(report)
                                         : printed(count_sheet(report), flags.format));
+  return done;
 }
 
 void add_options(CLI::App& command, CountFlags& flags) {
@@ -59,18 +59,15 @@ void add_options(CLI::App& command, CountFlags& flags) {
   flags.format.add_to(command, with_tables({"json"}));
 }
 
+constexpr Subcommand<CountFlags> count_command{
+    "count", "Count the routings of a set of parts, by formula", add_options, run};
+
 }  // namespace
 
-void add_count(CLI::App& program, int&) {
-  CLI::App* command =
-      program.add_subcommand("count", "Count the routings of a set of parts, by formula");
-  auto flags = std::make_shared<CountFlags>();
-  add_options(*command, *flags);
-  command->callback([flags] { run(*flags); });
-}
+void add_count(CLI::App& program, int& exit_code) { count_command.add_to(program, exit_code); }
 
 CountReport api::count(const Arguments& arguments) {
-  return counted(ParsedCommand<CountFlags>("count", add_options, arguments).flags());
+  return counted(count_command.parsed(arguments).flags());
 }
 
 }  // namespace reeve::cli

@@ -3,7 +3,6 @@
 #include <atomic>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -150,12 +149,8 @@ void write_folder(const DiagnosisReport& report, const DiagnoseFlags& flags,
                       diagnosed_distributions(report.data, report.hardware, report.result,
                                               report.published, catalogue)});
   prepare_directory(flags.out, "--out");
-  const std::string json = diagnosis_json(report);
-  write_result(flags.out,
-               {{{"residuals.csv", diagnosis_residuals_csv(report)}},
-                page.figures,
-                {{"index.html", page.html}, {"diagnosis.json", json}}},
-               result_stamp(json));
+  write_result(flags.out, page, {"diagnosis.json", diagnosis_json(report)},
+               {{"residuals.csv", diagnosis_residuals_csv(report)}});
 }
 
 std::string model_toml(const DiagnosisReport& report, const DiagnoseFlags& flags) {
@@ -239,11 +234,7 @@ void add_options(CLI::App& command, DiagnoseFlags& flags) {
       .add_option("data", flags.data, "CSV file of readings; docs/data.md describes its columns")
       ->required();
   add_settings(command, flags);
-  command
-      .add_option("--threads", flags.threads,
-                  "Number of threads; 0: all. The result does not depend on it")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+  add_threads(command, flags.threads);
   flags.out_given = command.add_option(
       "--out", flags.out,
       "Folder for index.html, figures/, diagnosis.json and residuals.csv (default: none written)");
@@ -256,21 +247,20 @@ void add_options(CLI::App& command, DiagnoseFlags& flags) {
   flags.format.add_to(command, with_tables({"json"}));
 }
 
+constexpr Subcommand<DiagnoseFlags> diagnose_command{
+    "diagnose",
+    "Find the cause of the residuals of measured tensions, extend the model by it, and propose the next measurement",
+    add_options, run};
+
 }  // namespace
 
 void add_diagnose(CLI::App& program, int& exit_code) {
-  CLI::App* command = program.add_subcommand(
-      "diagnose",
-      "Find the cause of the residuals of measured tensions, extend the model by "
-      "it, and propose the next measurement");
-  auto flags = std::make_shared<DiagnoseFlags>();
-  add_options(*command, *flags);
-  command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
+  diagnose_command.add_to(program, exit_code);
 }
 
 std::optional<DiagnosisReport> api::diagnose(const Arguments& arguments,
                                              const StudySupervision& supervision) {
-  const ParsedCommand<DiagnoseFlags> parsed("diagnose", add_options, arguments);
+  const auto parsed = diagnose_command.parsed(arguments);
   const auto tell = [&](const char* stage) {
     if (supervision.report) supervision.report(stage, {});
   };
@@ -278,14 +268,13 @@ std::optional<DiagnosisReport> api::diagnose(const Arguments& arguments,
 }
 
 void api::write(const DiagnosisReport& report, const Arguments& arguments) {
-  const ParsedCommand<DiagnoseFlags> parsed("diagnose", add_options, arguments);
+  const auto parsed = diagnose_command.parsed(arguments);
   require_places(parsed.flags());
   write_folder(report, parsed.flags(), command_text(parsed.command()), shipped_catalogue());
 }
 
 std::string api::model_toml(const DiagnosisReport& report, const Arguments& arguments) {
-  return cli::model_toml(report,
-                         ParsedCommand<DiagnoseFlags>("diagnose", add_options, arguments).flags());
+  return cli::model_toml(report, diagnose_command.parsed(arguments).flags());
 }
 
 }  // namespace reeve::cli

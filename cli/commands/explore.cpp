@@ -14,7 +14,6 @@
 #include "cli/commands/explore_merged.hpp"
 #include "cli/exploration_files.hpp"
 #include "cli/flags/explore_flags.hpp"
-#include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
 #include "cli/launched.hpp"
 #include "cli/outputs.hpp"
@@ -249,25 +248,23 @@ int run_launched(const ExploreFlags& flags, const CLI::App& command) {
 
 void add_options(CLI::App& command, ExploreFlags& flags) { flags.add_to(command); }
 
+constexpr Subcommand<ExploreFlags> explore_command{
+    "explore", "Enumerate, evaluate and rank all routings of a set of parts", add_options,
+    run_launched};
+
 }  // namespace
 
-void add_explore(CLI::App& program, int& exit_code) {
-  CLI::App* command = program.add_subcommand(
-      "explore", "Enumerate, evaluate and rank all routings of a set of parts");
-  auto flags = std::make_shared<ExploreFlags>();
-  flags->add_to(*command);
-  command->callback([flags, command, &exit_code] { exit_code = run_launched(*flags, *command); });
-}
+void add_explore(CLI::App& program, int& exit_code) { explore_command.add_to(program, exit_code); }
 
 ExploreReport api::explore(const Arguments& arguments, const StudySupervision& supervision) {
-  const ParsedCommand<ExploreFlags> parsed("explore", add_options, arguments);
+  const auto parsed = explore_command.parsed(arguments);
   const ExploreInputs inputs = read(parsed.flags());
   OpenedStore store(parsed.flags(), parsed.command(), inputs);
   return made(inputs, {}, store.checkpoint(), supervision);
 }
 
 void api::write(const ExploreReport& report, const Arguments& arguments) {
-  const ParsedCommand<ExploreFlags> parsed("explore", add_options, arguments);
+  const auto parsed = explore_command.parsed(arguments);
   cli::write(report, parsed.flags(), parsed.command());
 }
 

@@ -1,10 +1,10 @@
 #include <iostream>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "catalog/catalogue.hpp"
 #include "cli/choice.hpp"
+#include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
@@ -37,7 +37,7 @@ std::string exported(const ExportFlags& flags) {
   return mjcf(routing, hardware, {name_of(catalogue, routing), source});
 }
 
-void run(const ExportFlags& flags) {
+int run(const ExportFlags& flags, const CLI::App&) {
   const bool to_file = flags.out_given->count() > 0;
   if (to_file && flags.out.empty()) {
     throw InputError({.what = "-o", .value = "", .expected = "a file"});
@@ -51,24 +51,25 @@ void run(const ExportFlags& flags) {
   } else {
     std::cout << text;
   }
+  return done;
 }
+
+void add_options(CLI::App& command, ExportFlags& flags) {
+  command.add_option("routing", flags.routing, "Catalogue name or word")->required();
+  command.add_option("--format", flags.format, "mjcf: the XML of MuJoCo")
+      ->check(one_of({"mjcf"}))
+      ->capture_default_str();
+  flags.out_given = command.add_option("-o,--output", flags.out, "File (default: standard output)");
+  flags.hardware.add_to(command);
+}
+
+constexpr Subcommand<ExportFlags> export_command{
+    "export",
+    "Export one routing as a planar hand for MuJoCo, without friction, which MuJoCo's tendons do not have",
+    add_options, run};
 
 }  // namespace
 
-void add_export(CLI::App& program, int&) {
-  CLI::App* command = program.add_subcommand(
-      "export",
-      "Export one routing as a planar hand for MuJoCo, without friction, which "
-      "MuJoCo's tendons do not have");
-  auto flags = std::make_shared<ExportFlags>();
-  command->add_option("routing", flags->routing, "Catalogue name or word")->required();
-  command->add_option("--format", flags->format, "mjcf: the XML of MuJoCo")
-      ->check(one_of({"mjcf"}))
-      ->capture_default_str();
-  flags->out_given =
-      command->add_option("-o,--output", flags->out, "File (default: standard output)");
-  flags->hardware.add_to(*command);
-  command->callback([flags] { run(*flags); });
-}
+void add_export(CLI::App& program, int& exit_code) { export_command.add_to(program, exit_code); }
 
 }  // namespace reeve::cli

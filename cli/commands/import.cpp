@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <memory>
 #include <string>
 
 #include "cli/api.hpp"
@@ -102,7 +101,7 @@ void print(const ImportReport& result, const ImportFlags& flags, bool written) {
   std::cout << printed(document, flags.format);
 }
 
-std::string import_command(const CLI::App& command) {
+std::string made_by(const CLI::App& command) {
   return command_line(command, {"--format", "--output", "--plot"});
 }
 
@@ -113,7 +112,7 @@ int run(const ImportFlags& flags, const CLI::App& command) {
   const bool found = !result.steady.readings.empty();
   const bool written = found && flags.out_given->count() > 0;
   if (flags.plot_given->count() > 0) write_file(flags.plot, log_svg(result));
-  if (written) write_file(flags.out, imported_csv(result, import_command(command)));
+  if (written) write_file(flags.out, imported_csv(result, made_by(command)));
   print(result, flags, written);
   return found ? done : answer_is_no;
 }
@@ -175,21 +174,17 @@ void add_options(CLI::App& command, ImportFlags& flags) {
   flags.format.add_to(command, with_tables({"json"}));
 }
 
+constexpr Subcommand<ImportFlags> import_command{
+    "import", "Find the steady readings in a logger's time series, and write them as a data file",
+    add_options, run};
+
 }  // namespace
 
-void add_import(CLI::App& program, int& exit_code) {
-  CLI::App* command = program.add_subcommand(
-      "import",
-      "Find the steady readings in a logger's time series, and write them as a "
-      "data file");
-  auto flags = std::make_shared<ImportFlags>();
-  add_options(*command, *flags);
-  command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
-}
+void add_import(CLI::App& program, int& exit_code) { import_command.add_to(program, exit_code); }
 
 api::ImportedReadings api::import_log(const Arguments& arguments) {
-  const ParsedCommand<ImportFlags> parsed("import", add_options, arguments);
-  return {report(parsed.flags()), import_command(parsed.command())};
+  const auto parsed = import_command.parsed(arguments);
+  return {report(parsed.flags()), made_by(parsed.command())};
 }
 
 }  // namespace reeve::cli

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,9 +60,7 @@ void add_shards(const std::filesystem::path& place, std::vector<ShardFile>& shar
     shards.push_back(read_shard(place));
     return;
   }
-  for (ShardFile& shard : shard_files(StoreReader(place), place.string())) {
-    shards.push_back(std::move(shard));
-  }
+  append(shards, shard_files(StoreReader(place), place.string()));
 }
 
 // Its own files would be written over, and with them what it can be merged from.
@@ -108,7 +105,7 @@ std::vector<std::string> here(const MergeFlags& flags) {
           "--format=" + flags.format.format};
 }
 
-int run(const MergeFlags& flags) {
+int run(const MergeFlags& flags, const CLI::App&) {
   require_not_a_shard(flags);
   return explore_merged(read_shards(flags), here(flags), places(flags));
 }
@@ -121,32 +118,25 @@ void add_options(CLI::App& command, MergeFlags& flags) {
       ->required();
   command.add_option("--out", flags.out, "Folder for the files of the whole exploration")
       ->required();
-  command
-      .add_option("--threads", flags.threads,
-                  "Number of threads; 0: all. The result does not depend on it")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+  add_threads(command, flags.threads);
   flags.format.add_to(command, with_tables({"json"}));
 }
 
+constexpr Subcommand<MergeFlags> merge_command{
+    "merge", "Join the shards of an exploration into one exploration", add_options, run};
+
 }  // namespace
 
-void add_merge(CLI::App& program, int& exit_code) {
-  CLI::App* command =
-      program.add_subcommand("merge", "Join the shards of an exploration into one exploration");
-  auto flags = std::make_shared<MergeFlags>();
-  add_options(*command, *flags);
-  command->callback([flags, &exit_code] { exit_code = run(*flags); });
-}
+void add_merge(CLI::App& program, int& exit_code) { merge_command.add_to(program, exit_code); }
 
 api::MergedExploration api::merge(const Arguments& arguments, const StudySupervision& supervision) {
-  const ParsedCommand<MergeFlags> parsed("merge", add_options, arguments);
+  const auto parsed = merge_command.parsed(arguments);
   const std::vector<ShardFile> shards = read_shards(parsed.flags());
   return {merged_exploration(shards, here(parsed.flags()), supervision), shards.front().arguments};
 }
 
 void api::write(const MergedExploration& merged, const Arguments& arguments) {
-  const ParsedCommand<MergeFlags> parsed("merge", add_options, arguments);
+  const auto parsed = merge_command.parsed(arguments);
   require_not_a_shard(parsed.flags());
   write_merged(merged.report, merged.arguments, here(parsed.flags()), places(parsed.flags()));
 }

@@ -26,7 +26,6 @@
 #include "core/motor_sides.hpp"
 #include "core/notation.hpp"
 #include "pages/pages.hpp"
-#include "pages/shell/page.hpp"
 #include "pages/shell/result_files.hpp"
 #include "reports/exploration/design_list.hpp"
 #include "reports/exploration/sweep_report.hpp"
@@ -122,16 +121,12 @@ void print(const RankReport& report, const RankFlags& flags, const ListColumns& 
 
 void write_page(const RankReport& report, const std::filesystem::path& folder,
                 const CLI::App& command) {
-  const PageFiles page = ranking_page(
-      report, command_line(command, {"--format", "--threads", "--columns", "--text-width"}));
-  const std::string json = rank_json(report);
+  const std::string text =
+      command_line(command, {"--format", "--threads", "--columns", "--text-width"});
   write_result(
-      folder,
-      {{{"tradeoff.csv", tradeoff_csv(report.tradeoff)},
-        {"sweep.csv", report.sweep ? std::optional(sweep_csv(*report.sweep)) : std::nullopt}},
-       page.figures,
-       {{"index.html", page.html}, {"ranking.json", json}}},
-      result_stamp(json));
+      folder, ranking_page(report, text), {"ranking.json", rank_json(report)},
+      {{"tradeoff.csv", tradeoff_csv(report.tradeoff)},
+       {"sweep.csv", report.sweep ? std::optional(sweep_csv(*report.sweep)) : std::nullopt}});
 }
 
 // Returns what `of` says of every routing, or `otherwise` where routings differ in it.
@@ -298,18 +293,16 @@ void add_options(CLI::App& command, RankFlags& flags) {
   flags.format.add_to(command, with_tables({"json", "csv"}));
 }
 
+constexpr Subcommand<RankFlags> rank_command{"rank", "Rank routings that you name, best first",
+                                             add_options, run};
+
 }  // namespace
 
-void add_rank(CLI::App& program, int& exit_code) {
-  CLI::App* command = program.add_subcommand("rank", "Rank routings that you name, best first");
-  auto flags = std::make_shared<RankFlags>();
-  add_options(*command, *flags);
-  command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
-}
+void add_rank(CLI::App& program, int& exit_code) { rank_command.add_to(program, exit_code); }
 
 std::optional<RankReport> api::rank(const Arguments& arguments,
                                     const StudySupervision& supervision) {
-  const ParsedCommand<RankFlags> parsed("rank", add_options, arguments);
+  const auto parsed = rank_command.parsed(arguments);
   const RankInputs inputs = read(parsed.flags());
   RankRequest wanted = request(parsed.flags(), inputs);
   wanted.details = true;
@@ -320,12 +313,12 @@ std::optional<RankReport> api::rank(const Arguments& arguments,
 }
 
 StoredRanking api::rank_stored(const Arguments& arguments) {
-  const ParsedCommand<RankFlags> parsed("rank", add_options, arguments);
+  const auto parsed = rank_command.parsed(arguments);
   return stored_ranking_of(parsed.command(), parsed.flags().stored);
 }
 
 void api::write(const RankReport& report, const Arguments& arguments) {
-  const ParsedCommand<RankFlags> parsed("rank", add_options, arguments);
+  const auto parsed = rank_command.parsed(arguments);
   require_places(parsed.flags());
   write_page(report, parsed.flags().out.prepare(), parsed.command());
 }

@@ -18,7 +18,6 @@
 #include "core/graph.hpp"
 #include "core/motor_sides.hpp"
 #include "pages/pages.hpp"
-#include "pages/shell/page.hpp"
 #include "pages/shell/result_files.hpp"
 #include "reports/show_report.hpp"
 #include "studies/shown_routing.hpp"
@@ -129,13 +128,11 @@ void write_drawing(const ShowFlags& flags, const ShownRouting& report) {
 
 void write_page(const std::filesystem::path& folder, const ShownRouting& report,
                 const CLI::App& command) {
-  const PageFiles page = routing_page(report, command_line(command, {"--format", "--svg"}));
-  const std::string json = show_json(report);
-  write_result(folder, {{}, page.figures, {{"index.html", page.html}, {"routing.json", json}}},
-               result_stamp(json));
+  write_result(folder, routing_page(report, command_line(command, {"--format", "--svg"})),
+               {"routing.json", show_json(report)});
 }
 
-void run(const ShowFlags& flags, const CLI::App& command) {
+int run(const ShowFlags& flags, const CLI::App& command) {
   require_cost_to_be_shown(flags);
   const ShownRouting shown = report(flags);
   require_one_grasp_to_draw(flags);
@@ -156,6 +153,7 @@ void run(const ShowFlags& flags, const CLI::App& command) {
   if (flags.out.is_given()) {
     std::cout << announced("index.html, routing.json and figures", folder, flags.format);
   }
+  return done;
 }
 
 void add_options(CLI::App& command, ShowFlags& flags) {
@@ -188,24 +186,21 @@ void add_options(CLI::App& command, ShowFlags& flags) {
   flags.format.add_to(command, with_tables({"json", "dot"}));
 }
 
+constexpr Subcommand<ShowFlags> show_command{
+    "show",
+    "Show one routing: tensions, shares, sliding directions and objectives. A mechanism of the catalogue with coefficients of its own is shown with them",
+    add_options, run};
+
 }  // namespace
 
-void add_show(CLI::App& program, int&) {
-  CLI::App* command = program.add_subcommand(
-      "show",
-      "Show one routing: tensions, shares, sliding directions and objectives. A "
-      "mechanism of the catalogue with coefficients of its own is shown with them");
-  auto flags = std::make_shared<ShowFlags>();
-  add_options(*command, *flags);
-  command->callback([flags, command] { run(*flags, *command); });
-}
+void add_show(CLI::App& program, int& exit_code) { show_command.add_to(program, exit_code); }
 
 ShownRouting api::show(const Arguments& arguments) {
-  return report(ParsedCommand<ShowFlags>("show", add_options, arguments).flags());
+  return report(show_command.parsed(arguments).flags());
 }
 
 void api::write(const ShownRouting& report, const Arguments& arguments) {
-  const ParsedCommand<ShowFlags> parsed("show", add_options, arguments);
+  const auto parsed = show_command.parsed(arguments);
   require_places(parsed.flags());
   write_page(parsed.flags().out.prepare(), report, parsed.command());
 }

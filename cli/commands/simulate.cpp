@@ -3,7 +3,6 @@
 #include <array>
 #include <iostream>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -172,7 +171,7 @@ std::optional<PowerReport> power(const SimulateFlags& flags, const StudySupervis
   return power_study(report_of(flags), flags.power, simulation_csv, supervision);
 }
 
-void run(const SimulateFlags& flags) {
+int run(const SimulateFlags& flags, const CLI::App&) {
   const bool to_file = flags.out_given->count() > 0;
   if (to_file && flags.out.empty())
     throw InputError({.what = "-o", .value = "", .expected = "a file"});
@@ -185,15 +184,12 @@ void run(const SimulateFlags& flags) {
     if (!report) throw Interrupted();
     std::cout << (flags.format.is("json") ? power_json(*report)
                                           : printed(power_sheet(*report), flags.format));
-    return;
+    return done;
   }
   const SimulationReport report = simulated(flags);
-  if (!to_file) {
-    std::cout << simulation_csv(report);
-    return;
-  }
-  write_file(flags.out, simulation_csv(report));
-  std::cout << simulation_summary(report, flags.out);
+  if (to_file) write_file(flags.out, simulation_csv(report));
+  std::cout << (to_file ? simulation_summary(report, flags.out) : simulation_csv(report));
+  return done;
 }
 
 void add_options(CLI::App& command, SimulateFlags& flags) {
@@ -225,25 +221,23 @@ void add_options(CLI::App& command, SimulateFlags& flags) {
   command.get_option("--format")->needs(power);
 }
 
+constexpr Subcommand<SimulateFlags> simulate_command{
+    "simulate", "Simulate the readings of a planned experiment with hidden causes, as a data file",
+    add_options, run};
+
 }  // namespace
 
-void add_simulate(CLI::App& program, int&) {
-  CLI::App* command = program.add_subcommand(
-      "simulate",
-      "Simulate the readings of a planned experiment with hidden causes, as a data "
-      "file");
-  auto flags = std::make_shared<SimulateFlags>();
-  add_options(*command, *flags);
-  command->callback([flags] { run(*flags); });
+void add_simulate(CLI::App& program, int& exit_code) {
+  simulate_command.add_to(program, exit_code);
 }
 
 SimulationReport api::simulate(const Arguments& arguments) {
-  return simulated(ParsedCommand<SimulateFlags>("simulate", add_options, arguments).flags());
+  return simulated(simulate_command.parsed(arguments).flags());
 }
 
 std::optional<PowerReport> api::power(const Arguments& arguments,
                                       const StudySupervision& supervision) {
-  const ParsedCommand<SimulateFlags> parsed("simulate", add_options, arguments);
+  const auto parsed = simulate_command.parsed(arguments);
   return cli::power(parsed.flags(), supervision);
 }
 

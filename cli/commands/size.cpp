@@ -98,11 +98,7 @@ void add_search(CLI::App& command, SizeFlags& flags) {
                   "Greatest number of evaluations in each search")
       ->check(CLI::Range(10, 1000000))
       ->capture_default_str();
-  command
-      .add_option("--threads", search.threads,
-                  "Number of threads; 0: all. The result does not depend on it")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+  add_threads(command, search.threads);
 }
 
 void add_options(CLI::App& command, SizeFlags& flags) {
@@ -244,9 +240,7 @@ std::vector<std::string> notes(const SizeFlags& flags, const SizingOptions& opti
   if (options.robust) notes = range_notes(effective_hardware(options.nominal), options.ranges);
   std::vector<Network> networks;
   for (const Routing& routing : routings) networks.push_back(expand(routing));
-  for (std::string& note : model_notes(options.nominal, networks)) {
-    notes.push_back(std::move(note));
-  }
+  append(notes, model_notes(options.nominal, networks));
   if (flags.from_given->count() == 0) return notes;
   const std::string differing =
       differing_settings(summary_of_one_exploration(flags.from), options.nominal, options.grasps);
@@ -282,10 +276,7 @@ void print(const SizingReport& report, const SizeFlags& flags,
 
 void write_page(const SizingReport& report, const std::filesystem::path& folder,
                 const std::string& command) {
-  const PageFiles page = sizing_page(report, command);
-  const std::string json = sizing_json(report);
-  write_result(folder, {{}, page.figures, {{"index.html", page.html}, {"sizing.json", json}}},
-               result_stamp(json));
+  write_result(folder, sizing_page(report, command), {"sizing.json", sizing_json(report)});
 }
 
 std::vector<InputFile> inputs_of(const SizeFlags& flags) {
@@ -372,32 +363,28 @@ int run(const SizeFlags& flags, const CLI::App& command) {
   return best_meets_target(report) ? done : answer_is_no;
 }
 
+constexpr Subcommand<SizeFlags> size_command{
+    "size", "Choose the dimensions of a routing that are best for a goal, with their tolerances",
+    add_options, run};
+
 }  // namespace
 
-void add_size(CLI::App& program, int& exit_code) {
-  CLI::App* command = program.add_subcommand(
-      "size",
-      "Choose the dimensions of a routing that are best for a goal, with their "
-      "tolerances");
-  auto flags = std::make_shared<SizeFlags>();
-  add_options(*command, *flags);
-  command->callback([flags, command, &exit_code] { exit_code = run(*flags, *command); });
-}
+void add_size(CLI::App& program, int& exit_code) { size_command.add_to(program, exit_code); }
 
 SizingReport api::size(const Arguments& arguments, const StudySupervision& supervision) {
-  const ParsedCommand<SizeFlags> parsed("size", add_options, arguments);
+  const auto parsed = size_command.parsed(arguments);
   return sized(parsed.flags(), read(parsed.flags()), supervision);
 }
 
 void api::write(SizingReport report, const Arguments& arguments) {
-  const ParsedCommand<SizeFlags> parsed("size", add_options, arguments);
+  const auto parsed = size_command.parsed(arguments);
   require_places(parsed.flags());
   report.details = sizing_details(report, shipped_catalogue());
   write_page(report, parsed.flags().out.prepare(), sizing_command(parsed.command()));
 }
 
 std::string api::hardware_toml(const SizingReport& report, const Arguments& arguments) {
-  const ParsedCommand<SizeFlags> parsed("size", add_options, arguments);
+  const auto parsed = size_command.parsed(arguments);
   return sized_hardware_toml(report, parsed.flags().model.read(shipped_catalogue()).vary);
 }
 
