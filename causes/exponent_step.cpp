@@ -96,7 +96,8 @@ double ExponentStep::motion(std::size_t segment) const {
 
 const std::vector<double>& ExponentStep::changes(const Network& network, const Mechanics& mechanics,
                                                  const TensionState& state,
-                                                 const ExponentErrors& errors) {
+                                                 const ExponentErrors& errors,
+                                                 Prescribed prescribed) {
   changes_ = errors.way;
   const Place place{network, mechanics, state.tension, errors};
   gain_.resize(network.segments.size());
@@ -110,7 +111,7 @@ const std::vector<double>& ExponentStep::changes(const Network& network, const M
   for (const TendonSpan& tendon : network.tendons) {
     if (!is_slack(tendon)) relate(place, tendon);
   }
-  scale_ = -motor_shift_ / motor_gain_;
+  scale_ = prescribed == Prescribed::take_up ? 0 : -motor_shift_ / motor_gain_;
   for (const TendonSpan& tendon : network.tendons) {
     if (is_slack(tendon)) continue;
     for (std::size_t k = 0; k < tendon.contacts; ++k) {

@@ -6,7 +6,8 @@
 //   v_high = v_low + d phi_k          across a contact at the limit of its cone
 //   Σ L_i T_i v_i = y Σ L_i T_i       over a run of segments between contacts that are not: a run
 //                                     keeps its take-up, up to the scale y that all share
-//   Σ T_i v_i = 0                     over the motor-side segments, which carry T_M
+//   Σ T_i v_i = 0                     over the motor-side segments, which carry T_M; or y = 0
+//                                     where the take-up is given in place of T_M
 //
 // Along a run each v is linear in that of its first segment, so that a step costs a few products a
 // contact. Assumes that the contacts that slide, and those at the limit of their cone, stay those;
@@ -14,6 +15,7 @@
 // is as true. Not for networks with floating blocks, whose balances it does not know.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/mechanics.hpp"
@@ -28,12 +30,16 @@ struct ExponentErrors {
   std::vector<double> slope;  // d f_k / d ln T_high,k
 };
 
+// What stays as the exponents change.
+enum class Prescribed : std::uint8_t { motor_tension, take_up };
+
 // Keeps its memory.
 class ExponentStep {
  public:
   // The changes d phi_k, valid until the next call. The state is that of these mechanics.
   const std::vector<double>& changes(const Network& network, const Mechanics& mechanics,
-                                     const TensionState& state, const ExponentErrors& errors);
+                                     const TensionState& state, const ExponentErrors& errors,
+                                     Prescribed prescribed = Prescribed::motor_tension);
 
  private:
   struct Place {

@@ -8,7 +8,8 @@
 namespace reeve::causes {
 namespace {
 
-constexpr double tolerance = 1e-10;
+constexpr double exact_tolerance = 1e-10;
+constexpr double quick_tolerance = 1e-6;
 constexpr double growth = 1.05;
 constexpr int most_steps = 1000;
 // Limit for Newton's method, which takes about four steps.
@@ -55,21 +56,15 @@ ModelSolver::ModelSolver(const Model& model, const Hardware& hardware, const std
 void ModelSolver::set_routing(const std::string& word, const Network& network,
                               const Mechanics& plain) {
   word_ = word;
-  plain_ = plain;
   seized_.network = network;
   number_by_kind(network, number_);
   const std::vector<std::size_t> contacts = seized_contacts(*model_, word, network);
   if (!contacts.empty()) {
     seized_ = seize(network, contacts);
-    gather(plain_.length, seized_.segment_from);
-    if (!plain_.spools.empty()) gather(plain_.spools, seized_.segment_from);
-    if (!plain_.slack_mm.empty()) gather(plain_.slack_mm, seized_.segment_from);
-    gather(plain_.phi, seized_.contact_from);
-    gather(plain_.decay, seized_.contact_from);
     gather(number_, seized_.contact_from);
   }
-  mechanics_ = plain_;
-  is_settled_ = false;
+  has_motion_ = false;
+  set_friction(plain);
   left_.assign(network.contacts.size(), 0);
   right_.assign(network.contacts.size(), 0);
   for (const TendonSpan& tendon : seized_.network.tendons) {
@@ -79,6 +74,19 @@ void ModelSolver::set_routing(const std::string& word, const Network& network,
       right_[tendon.first_contact + k] = right;
     }
   }
+}
+
+void ModelSolver::set_friction(const Mechanics& plain) {
+  plain_ = plain;
+  if (seized_.network.split) {
+    gather(plain_.length, seized_.segment_from);
+    if (!plain_.spools.empty()) gather(plain_.spools, seized_.segment_from);
+    if (!plain_.slack_mm.empty()) gather(plain_.slack_mm, seized_.segment_from);
+    gather(plain_.phi, seized_.contact_from);
+    gather(plain_.decay, seized_.contact_from);
+  }
+  mechanics_ = plain_;
+  is_settled_ = false;
 }
 
 double ModelSolver::exponent(std::size_t contact, double high_N, Direction direction,
@@ -112,10 +120,10 @@ void ModelSolver::restart_steps() {
 double ModelSolver::change_exponents(Direction direction, const Conditions& conditions) {
   double greatest = 0;
   for (std::size_t k = 0; k < plain_.phi.size(); ++k) {
-    const double high = high_N(k, conditions);
+    const double high = high_N(k);
     const double wanted = exponent(k, high, direction, conditions);
     const double way = wanted - mechanics_.phi[k];
-    greatest = std::max(greatest, std::abs(way) / (tolerance + wanted));
+    greatest = std::max(greatest, std::abs(way) / (exact_tolerance + wanted));
     share_[k] = way * way_[k] < 0 ? share_[k] / 2 : std::min(1.0, share_[k] * growth);
     way_[k] = way;
     set_exponent(k, mechanics_.phi[k] + share_[k] * way);
@@ -123,9 +131,24 @@ double ModelSolver::change_exponents(Direction direction, const Conditions& cond
   return greatest;
 }
 
-double ModelSolver::high_N(std::size_t contact, const Conditions& conditions) const {
-  return conditions.motor_tension_N *
-         std::max(state_.tension[left_[contact]], state_.tension[right_[contact]]);
+double ModelSolver::high_N(std::size_t contact) const {
+  return unit_N_ * std::max(state_.tension[left_[contact]], state_.tension[right_[contact]]);
+}
+
+void ModelSolver::solve_tensions(Grasp grasp, Direction direction) {
+  if (prescribed_ == Prescribed::take_up) {
+    solver_.solve_relative(seized_.network, mechanics_, grasp, direction, state_);
+  } else {
+    solver_.solve(seized_.network, mechanics_, grasp, direction, state_);
+  }
+}
+
+void ModelSolver::solve_tensions_again(Grasp grasp, Direction direction) {
+  if (prescribed_ == Prescribed::take_up) {
+    solver_.solve_relative_again(seized_.network, mechanics_, grasp, direction, state_);
+  } else {
+    solver_.solve_again(seized_.network, mechanics_, grasp, direction, state_);
+  }
 }
 
 // Each contact as if it carried all that the motor pulls.
@@ -145,10 +168,10 @@ void ModelSolver::set_exponent(std::size_t contact, double phi) {
 double ModelSolver::compare_exponents(Direction direction, const Conditions& conditions) {
   double greatest = 0;
   for (std::size_t k = 0; k < plain_.phi.size(); ++k) {
-    const double high = high_N(k, conditions);
+    const double high = high_N(k);
     const double wanted = exponent(k, high, direction, conditions);
     errors_.way[k] = wanted - mechanics_.phi[k];
-    greatest = std::max(greatest, std::abs(errors_.way[k]) / (tolerance + wanted));
+    greatest = std::max(greatest, std::abs(errors_.way[k]) / (exact_tolerance + wanted));
     if (wanted != wanted_[k]) {
       const double difference = std::log(high / seen_N_[k]);
       if (std::abs(difference) > least_difference) {
@@ -168,16 +191,17 @@ void ModelSolver::begin_newton(const Conditions& conditions) {
   seen_N_.assign(plain_.phi.size(), conditions.motor_tension_N);
 }
 
-bool ModelSolver::settle_by_newton(Grasp grasp, Direction direction, const Conditions& conditions) {
+bool ModelSolver::settle_by_newton(Grasp grasp, Direction direction, const Conditions& conditions,
+                                   double tolerance) {
   for (int step = 0; step < most_quick_steps && state_.in_range; ++step) {
     if (compare_exponents(direction, conditions) < tolerance) return true;
     const std::vector<double>& changes =
-        step_.changes(seized_.network, mechanics_, state_, errors_);
+        step_.changes(seized_.network, mechanics_, state_, errors_, prescribed_);
     for (std::size_t k = 0; k < changes.size(); ++k) {
       if (changes[k] == 0) continue;
       set_exponent(k, std::clamp(mechanics_.phi[k] + changes[k], 0.0, max_exponent));
     }
-    solver_.solve_again(seized_.network, mechanics_, grasp, direction, state_);
+    solve_tensions_again(grasp, direction);
   }
   return false;
 }
@@ -185,7 +209,7 @@ bool ModelSolver::settle_by_newton(Grasp grasp, Direction direction, const Condi
 bool ModelSolver::settle_in_turn(Grasp grasp, Direction direction, const Conditions& conditions) {
   restart_steps();
   for (int step = 0; step < most_steps && state_.in_range; ++step) {
-    const bool is_near = change_exponents(direction, conditions) < tolerance;
+    const bool is_near = change_exponents(direction, conditions) < exact_tolerance;
     solver_.solve_again(seized_.network, mechanics_, grasp, direction, state_);
     if (is_near) return true;
   }
@@ -195,13 +219,18 @@ bool ModelSolver::settle_in_turn(Grasp grasp, Direction direction, const Conditi
 void ModelSolver::settle_afresh(Grasp grasp, Direction direction, const Conditions& conditions) {
   const auto begin = [&] {
     if (!exponent_effects_.empty()) guess_exponents(direction, conditions);
-    solver_.solve(seized_.network, mechanics_, grasp, direction, state_);
+    if (has_motion_) {
+      solve_tensions_again(grasp, direction);
+    } else {
+      solve_tensions(grasp, direction);
+      has_motion_ = true;
+    }
   };
   begin();
   converged_ = !depends_on_load_;
   if (!converged_ && seized_.network.blocks.empty()) {
     begin_newton(conditions);
-    is_settled_ = converged_ = settle_by_newton(grasp, direction, conditions);
+    is_settled_ = converged_ = settle_by_newton(grasp, direction, conditions, exact_tolerance);
     if (!converged_) begin();
   }
   if (!converged_) converged_ = settle_in_turn(grasp, direction, conditions);
@@ -210,20 +239,38 @@ void ModelSolver::settle_afresh(Grasp grasp, Direction direction, const Conditio
 // Where a force takes all that a contact has, the exponents of another load may be those of another
 // balance.
 bool ModelSolver::can_go_on(Grasp grasp, Direction direction) const {
-  return depends_on_load_ && is_settled_ && grasp == grasp_ && direction == direction_ &&
+  return depends_on_load_ && is_settled_ && has_motion_ && grasp == grasp_ &&
+         direction == direction_ &&
          *std::max_element(mechanics_.phi.begin(), mechanics_.phi.end()) < max_exponent;
 }
 
 const TensionState& ModelSolver::solve(Grasp grasp, Direction direction,
                                        const Conditions& conditions) {
   const bool goes_on = can_go_on(grasp, direction);
+  has_motion_ = has_motion_ && grasp == grasp_ && direction == direction_;
   grasp_ = grasp;
   direction_ = direction;
-  is_settled_ = goes_on && settle_by_newton(grasp, direction, conditions);
+  prescribed_ = Prescribed::motor_tension;
+  unit_N_ = conditions.motor_tension_N;
+  is_settled_ = goes_on && settle_by_newton(grasp, direction, conditions, exact_tolerance);
   if (!is_settled_) settle_afresh(grasp, direction, conditions);
   if (!seized_.network.split || !state_.in_range) return state_;
   restored_ = restored(seized_, state_);
   return restored_;
+}
+
+const TensionState& ModelSolver::solve_from_last(Grasp grasp, Prescribed prescribed, double unit_N,
+                                                 const Conditions& conditions) {
+  grasp_ = grasp;
+  direction_ = Direction::pull;
+  has_motion_ = false;
+  prescribed_ = prescribed;
+  unit_N_ = unit_N;
+  if (!is_settled_) guess_exponents(direction_, conditions);
+  solve_tensions(grasp, direction_);
+  if (!is_settled_) begin_newton(conditions);
+  is_settled_ = converged_ = settle_by_newton(grasp, direction_, conditions, quick_tolerance);
+  return state_;
 }
 
 }  // namespace reeve::causes

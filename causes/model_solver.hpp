@@ -43,6 +43,9 @@ class ModelSolver {
   // makes of the network.
   void set_routing(const std::string& word, const Network& network, const Mechanics& plain);
 
+  // The same routing with other friction.
+  void set_friction(const Mechanics& plain);
+
   // For one routing alone. `hardware` is the effective one (a row's own sheath angle is in it
   // already), without fault.
   ModelSolver(const Model& model, const Hardware& hardware, const std::string& word,
@@ -51,6 +54,12 @@ class ModelSolver {
   // At T_M = 1, in the order of the network's segments, if it is in range. `grasp` is the real one,
   // and the motor tension of the conditions that at the tendon (at_tendon).
   const TensionState& solve(Grasp grasp, Direction direction, const Conditions& conditions);
+
+  // The same in a pull, exponents to 1e-6, from those of the last solve on. By Newton's method
+  // alone, for routings without floating blocks. Of a given take-up the tensions are the relative
+  // ones, t_i (TensionSolver::solve_relative); `unit_N` is the tension where t_i is 1.
+  const TensionState& solve_from_last(Grasp grasp, Prescribed prescribed, double unit_N,
+                                      const Conditions& conditions);
 
   // The routing at hand as it moves, split where a contact is seized, and its plain mechanics.
   const Network& network() const { return seized_.network; }
@@ -65,15 +74,18 @@ class ModelSolver {
  private:
   void guess_exponents(Direction direction, const Conditions& conditions);
   bool can_go_on(Grasp grasp, Direction direction) const;
+  void solve_tensions(Grasp grasp, Direction direction);
+  void solve_tensions_again(Grasp grasp, Direction direction);
   void settle_afresh(Grasp grasp, Direction direction, const Conditions& conditions);
   void begin_newton(const Conditions& conditions);
-  bool settle_by_newton(Grasp grasp, Direction direction, const Conditions& conditions);
+  bool settle_by_newton(Grasp grasp, Direction direction, const Conditions& conditions,
+                        double tolerance);
   double compare_exponents(Direction direction, const Conditions& conditions);
   bool settle_in_turn(Grasp grasp, Direction direction, const Conditions& conditions);
   double change_exponents(Direction direction, const Conditions& conditions);
   void restart_steps();
   void set_exponent(std::size_t contact, double phi);
-  double high_N(std::size_t contact, const Conditions& conditions) const;
+  double high_N(std::size_t contact) const;
   double exponent(std::size_t contact, double high_N, Direction direction,
                   const Conditions& conditions) const;
 
@@ -81,6 +93,8 @@ class ModelSolver {
   std::string word_;
   Grasp grasp_;
   Direction direction_ = Direction::pull;
+  Prescribed prescribed_ = Prescribed::motor_tension;
+  double unit_N_ = 1;  // tension of a segment whose tension in the state is 1
   std::vector<const Effect*> exponent_effects_;
   bool depends_on_load_ = false;
   SeizedNetwork seized_;
@@ -101,6 +115,7 @@ class ModelSolver {
   TensionState state_;
   TensionState restored_;
   bool converged_ = true;
+  bool has_motion_ = false;  // true if the state has the motion of this grasp and direction
   bool is_settled_ = false;  // by Newton's method, whose state is that of the last load
 };
 

@@ -158,18 +158,23 @@ void TensionSolver::solve(const Network& network, const Mechanics& mechanics, Gr
   make_absolute(network, mechanics, grasp, state);
 }
 
-void TensionSolver::solve_again(const Network& network, const Mechanics& mechanics, Grasp grasp,
-                                Direction direction, TensionState& state) {
+void TensionSolver::solve_relative_again(const Network& network, const Mechanics& mechanics,
+                                         Grasp grasp, Direction direction, TensionState& state) {
   const bool has_loop = std::any_of(network.tendons.begin(), network.tendons.end(),
                                     [](const TendonSpan& tendon) { return tendon.closed; });
   if (has_loop) {
-    solve(network, mechanics, grasp, direction, state);
+    solve_relative(network, mechanics, grasp, direction, state);
     return;
   }
   state.slip.swap(motion_.slip);
   state.closing.swap(motion_.closing);
   state.block_travel.swap(motion_.block_travel);
   solve_in_motion(network, mechanics, state);
+}
+
+void TensionSolver::solve_again(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                                Direction direction, TensionState& state) {
+  solve_relative_again(network, mechanics, grasp, direction, state);
   make_absolute(network, mechanics, grasp, state);
 }
 

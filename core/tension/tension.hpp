@@ -67,6 +67,9 @@ class TensionSolver {
   // impose stays, but for what goes round a loop.
   void solve_again(const Network& network, const Mechanics& mechanics, Grasp grasp,
                    Direction direction, TensionState& state);
+  // Likewise behind solve_relative().
+  void solve_relative_again(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                            Direction direction, TensionState& state);
 
  private:
   void solve_in_motion(const Network& network, const Mechanics& mechanics, TensionState& state);

@@ -192,7 +192,7 @@ ContactQuantiles DesignEvaluator::contact_quantiles() {
   const auto solve = [this](const Mechanics& drawn, Grasp grasp,
                             bool again) -> const TensionState& {
     if (model_solver_) {
-      model_solver_->set_routing(word_, network_, drawn);
+      model_solver_->set_friction(drawn);
       return require_in_range(model_solver_->solve(grasp, Direction::pull, model_->conditions),
                               grasp);
     }
