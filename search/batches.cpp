@@ -192,7 +192,7 @@ class Exploration {
     auto evaluator =
         std::make_shared<DecidingEvaluator>(options_.model, options_.grasps, options_.score,
                                             options_.prices, deciding_objectives(options_));
-    if (!evaluator->estimates()) return;
+    if (!evaluator->estimates_beginnings()) return;
     source_.leave_out_unwanted(
         possible_hardware(options_.model),
         [this, evaluator](const RoutingBeginning& beginning, const ShardRange& places) {

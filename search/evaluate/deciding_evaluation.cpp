@@ -52,13 +52,6 @@ TallyValue value_held(std::size_t held, const std::vector<const TreeOutline*>& t
   return value_of(moving, jammed);
 }
 
-void add_value(double share, const OutlinedValue& value, OutlinedPerformance& sum) {
-  sum.mean.uniformity += share * value.uniformity;
-  sum.mean.efficiency += share * value.efficiency;
-  sum.worst.uniformity = std::min(sum.worst.uniformity, value.uniformity);
-  sum.worst.efficiency = std::min(sum.worst.efficiency, value.efficiency);
-}
-
 // Jams need no more than the trees.
 bool are_of_strands(const EvaluationScope& scope) {
   return scope == EvaluationScope{false, false, false, scope.jamming, false};
@@ -119,8 +112,7 @@ TreeSums PerformanceOutliner::add_up_others(const RoutingBeginning& beginning) {
 }
 
 std::optional<OutlinedPerformance> PerformanceOutliner::at_best(const RoutingBeginning& beginning) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  OutlinedPerformance result{{0, 0}, {infinity, infinity}};
+  OutlinedPerformance result;
   const TreeSums free = add_up_others(beginning);
   if (free.jams && beginning.open > 0) return std::nullopt;
   std::size_t held = 0;
@@ -128,7 +120,7 @@ std::optional<OutlinedPerformance> PerformanceOutliner::at_best(const RoutingBeg
     const Weight& weight = weights_[held];
     if (!weight.is_asked) return true;
     const TallyValue value = free.jams ? value_held(held, beginning.trees) : moving;
-    if (value) add_value(weight.share, *value, result);
+    if (value) result.add(weight.share, *value);
     return value.has_value();
   };
   const TallyValue not_held = value_of(free, {});
@@ -162,7 +154,9 @@ DecidingEvaluator::DecidingEvaluator(const Model& model, const GraspSet& grasps,
   if (!whole_.has_hand()) extent_.hand = false;
   // A single grasp is solved as quickly as the states of a tree.
   const bool share = grasps.size() > 1 && hold_one_finger_at_most(grasps);
-  if (are_of_strands(extent_) && share && routings_share_states(model)) {
+  const bool may_combine = are_of_strands(extent_) && share;
+  if (may_combine && LoadedTrees::can_bound(model)) loaded_.emplace(model, grasps);
+  if (may_combine && routings_share_states(model)) {
     const Hardware hardware = possible_hardware(model);
     known_.emplace(hardware);
     const double sheath = hardware.sheath.exponent();
@@ -173,9 +167,10 @@ DecidingEvaluator::DecidingEvaluator(const Model& model, const GraspSet& grasps,
   for (const Objective objective : wanted_) {
     if (contains(of_parts, objective)) of_parts_.push_back(objective);
   }
-  estimates_ = known_ && std::all_of(wanted_.begin(), wanted_.end(), [](Objective objective) {
-                 return contains(of_parts, objective) || contains(of_sums, objective);
-               });
+  estimates_ =
+      (known_ || loaded_) && std::all_of(wanted_.begin(), wanted_.end(), [](Objective objective) {
+        return contains(of_parts, objective) || contains(of_sums, objective);
+      });
 }
 
 // Motor tension of the trees as they are solved alone.
@@ -257,7 +252,7 @@ double DecidingEvaluator::tendon_length() const {
 }
 
 std::optional<Estimate> DecidingEvaluator::estimate(const RoutingBeginning& beginning) {
-  if (!estimates_) return std::nullopt;
+  if (!estimates_beginnings()) return std::nullopt;
   const bool is_whole = beginning.open == 0;
   int fingers = beginning.open;
   outcome_.parts = {};
@@ -274,26 +269,38 @@ std::optional<Estimate> DecidingEvaluator::estimate(const RoutingBeginning& begi
   }
   const std::optional<OutlinedPerformance> outlined = outliner_->at_best(beginning);
   if (!outlined) return std::nullopt;
+  if (is_whole) return enclosed(*outlined, *outlined);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Estimate result = enclosed(*outlined, {{-infinity, -infinity}, {-infinity, -infinity}});
+  for (const Objective objective : of_parts_) value(result.at_worst, objective) = infinity;
+  return result;
+}
+
+// With the parts of the outcome.
+Estimate DecidingEvaluator::enclosed(const OutlinedPerformance& at_best,
+                                     const OutlinedPerformance& at_worst) const {
   Estimate result;
   compute_objectives(outcome_, of_parts_, result.at_best);
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   result.at_worst = result.at_best;
-  for (const Objective objective : of_parts_) {
-    if (!is_whole) value(result.at_worst, objective) = infinity;
-  }
-  const auto put = [&](Objective objective, double seen) {
-    value(result.at_best, objective) = seen + estimate_margin;
-    value(result.at_worst, objective) = is_whole ? seen - estimate_margin : -infinity;
+  const auto put = [](ObjectiveValues& values, const OutlinedPerformance& seen, double margin) {
+    value(values, Objective::uniformity_mean) = seen.mean.uniformity + margin;
+    value(values, Objective::uniformity_worst) = seen.worst.uniformity + margin;
+    value(values, Objective::efficiency_mean) = seen.mean.efficiency + margin;
+    value(values, Objective::efficiency_worst) = seen.worst.efficiency + margin;
   };
-  put(Objective::uniformity_mean, outlined->mean.uniformity);
-  put(Objective::uniformity_worst, outlined->worst.uniformity);
-  put(Objective::efficiency_mean, outlined->mean.efficiency);
-  put(Objective::efficiency_worst, outlined->worst.efficiency);
+  put(result.at_best, at_best, estimate_margin);
+  put(result.at_worst, at_worst, -estimate_margin);
   return result;
 }
 
 std::optional<Estimate> DecidingEvaluator::estimate(const Routing& routing) {
   if (!estimates_ || !split_into_trees(routing, spans_)) return std::nullopt;
+  if (loaded_) {
+    const std::optional<LoadedBounds> bounds = loaded_->bounds(routing, spans_);
+    if (!bounds) return std::nullopt;
+    outcome_.parts = bounds->parts;
+    return enclosed(bounds->at_best, bounds->at_worst);
+  }
   beginning_.trees = known_->outlines(routing, spans_);
   return beginning_.trees.empty() ? std::nullopt : estimate(beginning_);
 }

@@ -19,6 +19,8 @@
 #include "core/grasp.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "search/evaluate/known_trees.hpp"
+#include "search/evaluate/loaded_trees.hpp"
+#include "search/evaluate/outlined_performance.hpp"
 #include "search/evaluate/routing_beginning.hpp"
 #include "search/evaluate/tree_spans.hpp"
 
@@ -28,16 +30,6 @@ namespace reeve::search {
 //
 // Beside a tree that jams the others are slack. A grasp that holds one finger changes one tree, so
 // that the others are added up once for all of them.
-struct OutlinedValue {
-  double uniformity = 0;
-  double efficiency = 0;
-};
-
-struct OutlinedPerformance {
-  OutlinedValue mean;
-  OutlinedValue worst;
-};
-
 class PerformanceOutliner {
  public:
   // The grasps must hold one finger at most. No efficiency is greater than `most_efficiency`.
@@ -82,9 +74,10 @@ class DecidingEvaluator {
 
   // True if routings are put together from trees, and no more is wanted than uniformity, efficiency
   // and parts.
-  bool estimates() const { return estimates_; }
+  bool estimates_beginnings() const { return estimates_ && known_.has_value(); }
   // Bounds all routings that begin so. Returns nothing without estimates.
   std::optional<Estimate> estimate(const RoutingBeginning& beginning);
+  // Also where friction depends on the load (loaded_trees.hpp).
   std::optional<Estimate> estimate(const Routing& routing);
 
   bool combines() const { return known_.has_value(); }
@@ -94,6 +87,7 @@ class DecidingEvaluator {
   std::size_t unconverged() const { return whole_.unconverged(); }
 
  private:
+  Estimate enclosed(const OutlinedPerformance& at_best, const OutlinedPerformance& at_worst) const;
   bool combine(const Routing& routing);
   bool combine(const WeightedGrasp& grasp, GraspOutcome& outcome);
   double scale(bool jams) const;
@@ -117,6 +111,7 @@ class DecidingEvaluator {
   DesignEvaluator whole_;
   std::optional<KnownTrees> known_;
   std::optional<PerformanceOutliner> outliner_;
+  std::optional<LoadedTrees> loaded_;
 
   // State of the current routing.
   std::vector<TreeSpan> spans_;

@@ -13,13 +13,13 @@ namespace {
 // A few kilobytes each, of trees of up to some seven fingers.
 constexpr std::size_t most_shared_trees = 8192;
 
+}  // namespace
+
 bool have_like_fingers(const Model& model) {
   const Hardware hardware = possible_hardware(model);
   return hardware.fingers.empty() && hardware.contacts.empty() && hardware.spools.empty() &&
          hardware.tendon.own.empty() && !hardware.contact_draw && !hand(hardware);
 }
-
-}  // namespace
 
 bool routings_share_states(const Model& model) {
   return !reaches(model, Reach::contact) && !changes_exponents(model) && have_like_fingers(model);

@@ -25,6 +25,9 @@ bool routings_share_states(const Model& model);
 // True also only if no grasp gives the travels of carriages.
 bool hold_one_finger_at_most(const GraspSet& grasps);
 
+// True if no finger differs from another in hardware, and it has no hand.
+bool have_like_fingers(const Model& model);
+
 // No finger, or the one that is held if it is one of the tree's, from 1.
 std::size_t held_in_tree(const TreeSpan& span, Grasp grasp);
 
