@@ -41,8 +41,8 @@ struct LoadedBounds {
 class LoadedTrees {
  public:
   // True if exponents depend on the load alike at all contacts of a kind, fingers are alike, T_low
-  // rises with T_high, and no exponent reaches its limit. Under such laws the solves of all designs
-  // of up to five fingers converged, so that designs that are left out count as converged.
+  // rises with T_high (sampled at 4096 tensions for each kind), and no exponent reaches its limit.
+  // A design that is left out counts as converged: under such laws every solve that was tried did.
   static bool can_bound(const Model& model);
 
   // The grasps must hold one finger at most.
