@@ -390,7 +390,29 @@ GeneratorOptions GeneratorFlags::read_parts() const {
   return options;
 }
 
+namespace {
+
+// Without these blocks a routing has none of what such a switch asks for.
+void require_blocks(const PartSet& parts) {
+  const auto require = [&](const char* name, bool is_asked, int least) {
+    if (!is_asked || parts.blocks >= least) return;
+    throw InputError({.what = fmt::format("{} with --blocks {}", name, parts.blocks),
+                      .expected = fmt::format("--blocks {} at least", least)});
+  };
+  require("--linked", parts.linked, 2);
+  require("--series", parts.series, 2);
+  require("--bars", parts.bars, 1);
+}
+
+}  // namespace
+
 AskedParts GeneratorFlags::read(bool tells_apart) const {
+  AskedParts asked = read_whole(tells_apart);
+  require_blocks(asked.generator.parts);
+  return asked;
+}
+
+AskedParts GeneratorFlags::read_whole(bool tells_apart) const {
   AskedParts asked{read_parts(), std::nullopt};
   asked.generator.fingers = fingers;
   asked.generator.identity =

@@ -198,6 +198,7 @@ struct GeneratorFlags {
 
  private:
   GeneratorOptions read_parts() const;
+  AskedParts read_whole(bool tells_apart) const;
 
   CLI::Option* tips_ = nullptr;
   CLI::Option* joins_ = nullptr;

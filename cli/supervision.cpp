@@ -56,19 +56,20 @@ void request_stop(int signal) {
 }
 
 // Nanoseconds of a clock that a signal handler may read.
-std::atomic<std::int64_t> first_hangup{0};
+std::atomic<std::int64_t> first_end{0};
 static_assert(std::atomic<std::int64_t>::is_always_lock_free, "set from a signal handler");
 
-// A terminal that is closed may hang up twice at once: its shell does, and so does the kernel.
-constexpr std::int64_t one_hangup = 1'000'000'000;
+// One end may be told twice at once: a terminal that is closed hangs up by its shell and by the
+// kernel, and timeout(1) terminates its child and then the group that it is in.
+constexpr std::int64_t one_end = 1'000'000'000;
 
-void request_stop_at_hangup(int signal) {
+void request_stop_at_end(int signal) {
   timespec time = {};
   ::clock_gettime(CLOCK_MONOTONIC, &time);
   const std::int64_t now = time.tv_sec * 1'000'000'000 + time.tv_nsec;
   std::int64_t none = 0;
-  const bool is_first = first_hangup.compare_exchange_strong(none, now);
-  if (!is_first && now - first_hangup.load() > one_hangup) {
+  const bool is_first = first_end.compare_exchange_strong(none, now);
+  if (!is_first && now - first_end.load() > one_end) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
@@ -99,10 +100,11 @@ void wipe_line() { std::cerr << "\r\x1b[K" << std::flush; }
 }  // namespace
 
 const std::atomic<bool>& stop_on_interrupt() {
-  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) {
+  for (const int signal : {SIGINT, SIGUSR1}) {
     handle(signal, request_stop, static_cast<int>(SA_RESETHAND));
   }
-  if (!is_ignored(SIGHUP)) handle(SIGHUP, request_stop_at_hangup, 0);
+  handle(SIGTERM, request_stop_at_end, 0);
+  if (!is_ignored(SIGHUP)) handle(SIGHUP, request_stop_at_end, 0);
   return stop_requested;
 }
 

@@ -168,13 +168,16 @@ std::vector<double> run_numbers(const std::vector<std::string>& runs) {
     const std::size_t last = name.find_last_of(digits);
     if (last == name.npos) break;
     const std::size_t first = name.find_last_not_of(digits, last) + 1;  // npos + 1 is 0
-    const std::pair here{name.substr(0, first), name.substr(last + 1)};
-    if (last - first >= most_digits || (around && *around != here)) break;
+    std::pair here{name.substr(0, first), name.substr(last + 1)};
+    const bool is_fraction = here.first.ends_with('.') || here.first.ends_with(',');
+    const bool is_negative = here.first == "-";
+    if (is_negative) here.first = {};
+    if (is_fraction || last - first >= most_digits || (around && *around != here)) break;
     around = here;
     double number = 0;
     for (const char digit : name.substr(first, last + 1 - first))
       number = 10 * number + (digit - '0');
-    result.push_back(number);
+    result.push_back(is_negative ? -number : number);
   }
   if (result.size() == runs.size()) return result;
   result.resize(runs.size());

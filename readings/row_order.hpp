@@ -23,8 +23,8 @@ MeasuredData in_order_of_contents(MeasuredData data);
 // True if a comes before b; digits in a row count as one number.
 bool natural_less(std::string_view a, std::string_view b);
 
-// Returns the number of each run: where the names are alike but for their last number (m3, m12,
-// m13), that number, which a later file goes on with; else 1, 2, ….
+// Returns the number of each run: where the names are alike but for their last whole number
+// (m3, m12, m13), that number, which a later file goes on with; else 1, 2, ….
 std::vector<double> run_numbers(const std::vector<std::string>& runs);
 
 // The covariate that is a clock, which every row has.

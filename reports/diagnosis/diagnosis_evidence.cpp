@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 #include <tuple>
 #include <utility>
 
@@ -114,7 +113,9 @@ Table structure_table(const DiagnosisReport& report, std::size_t most) {
   Table table{{text_column("residuals follow"), number_column("size"),
                number_column("deviations from chance"), number_column("p of this alone")},
               {}};
-  for (const StructureFinding& finding : report.result.structure | std::views::take(most)) {
+  const std::vector<StructureFinding>& findings = report.result.structure;
+  for (std::size_t i = 0; i < std::min(most, findings.size()); ++i) {
+    const StructureFinding& finding = findings[i];
     table.add({pattern_text(report, finding.about),
                part_of_residuals(report, structure_N(report, finding)), fixed(finding.statistic, 1),
                p_number(finding.p_value, report.settings.replicates)});

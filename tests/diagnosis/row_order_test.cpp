@@ -46,6 +46,8 @@ TEST(RunNumbers, AreThoseOfTheNamesWhereNothingElseDiffers) {
   EXPECT_EQ(run_numbers({"m3", "m12", "m013"}), (std::vector<double>{3, 12, 13}));
   EXPECT_EQ(run_numbers({"101", "102"}), (std::vector<double>{101, 102}));
   EXPECT_EQ(run_numbers({"2 kg", "10 kg"}), (std::vector<double>{2, 10}));
+  EXPECT_EQ(run_numbers({"0", "3", "-2"}), (std::vector<double>{0, 3, -2}));
+  EXPECT_EQ(run_numbers({"run-1", "run-2"}), (std::vector<double>{1, 2}));
 }
 
 TEST(RunNumbers, CountElsewhere) {
@@ -54,6 +56,7 @@ TEST(RunNumbers, CountElsewhere) {
   EXPECT_EQ(run_numbers({"m3", "new"}), counted);
   EXPECT_EQ(run_numbers({"new", "m3"}), counted);
   EXPECT_EQ(run_numbers({"1000000000000000", "1000000000000001"}), counted);
+  EXPECT_EQ(run_numbers({"1.05", "1.1"}), counted);
   EXPECT_TRUE(run_numbers({}).empty());
 }
 

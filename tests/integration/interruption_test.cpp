@@ -68,25 +68,28 @@ INSTANTIATE_TEST_SUITE_P(Signals, StoppingSignal, ::testing::Values(SIGINT, SIGT
                                                                         : "HangUp");
                          });
 
-// A first SIGHUP when the process catches it, and the disturbance's that much later.
-ProcessOptions hung_up_twice(std::chrono::milliseconds apart) {
+// A first signal when the process catches it, and the disturbance's that much later.
+ProcessOptions told_twice(int signal, std::chrono::milliseconds apart) {
   const auto since = std::make_shared<std::optional<std::chrono::steady_clock::time_point>>();
-  return disturbed(SIGHUP, [=](const RunningProcess& process) {
+  return disturbed(signal, [=](const RunningProcess& process) {
     const auto now = std::chrono::steady_clock::now();
-    if (!*since && catches(process.id, SIGHUP)) {
-      ::kill(process.id, SIGHUP);
+    if (!*since && catches(process.id, signal)) {
+      ::kill(process.id, signal);
       *since = now;
     }
     return *since && now - **since >= apart;
   });
 }
 
-// The kernel and a shell each hang up when a terminal is closed.
-TEST(HangUp, TwiceAtOnceCountsOnce) {
-  const Explored explored(long_work, hung_up_twice(1ms));
-  EXPECT_EQ(explored.result.signal, 0);
-  EXPECT_EQ(explored.result.exit_code, 3);
-  EXPECT_TRUE(explored.summary()["partial"]);
+// The kernel and a shell each hang up when a terminal is closed, and timeout(1) terminates its
+// child and the child's group.
+TEST(EndingSignal, TwiceAtOnceCountsOnce) {
+  for (const int signal : {SIGHUP, SIGTERM}) {
+    const Explored explored(long_work, told_twice(signal, 1ms));
+    EXPECT_EQ(explored.result.signal, 0);
+    EXPECT_EQ(explored.result.exit_code, 3);
+    EXPECT_TRUE(explored.summary()["partial"]);
+  }
 }
 
 // A reader that has opened a pipe and does not read it holds the page up.
@@ -96,7 +99,7 @@ TEST(HangUp, AgainLaterEndsTheProcess) {
   std::filesystem::remove(pipe);
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
-  explored.run("--fingers 2", hung_up_twice(1500ms));
+  explored.run("--fingers 2", told_twice(SIGHUP, 1500ms));
   EXPECT_EQ(explored.result.signal, SIGHUP);
   ::close(reader);
 }
