@@ -84,15 +84,22 @@ class Blocks {
 
 struct Workers::Arena {
   explicit Arena(int count)
-      : limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count)),
+      : limit(std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                    static_cast<std::size_t>(count))),
         arena(count),
         threads(static_cast<std::size_t>(count)) {
-    // The arena starts at once: the library waits for ever if it is asked again after this has
-    // failed for want of memory.
-    arena.initialize();
+    // The arena starts at once. If this fails for want of memory, the library waits for ever when
+    // it is asked again, and when the limit is taken back.
+    try {
+      arena.initialize();
+    } catch (...) {
+      static_cast<void>(limit.release());
+      throw;
+    }
   }
 
-  tbb::global_control limit;  // more threads than cores, too, when the user asks for them
+  // More threads than cores, too, when the user asks for them.
+  std::unique_ptr<tbb::global_control> limit;
   tbb::task_arena arena;
   std::size_t threads;
 };

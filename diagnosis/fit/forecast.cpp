@@ -74,6 +74,7 @@ class RoutingForecast {
       sensors_.push_back({routing_.network.segments[*routing_.segments[c]], 0, c});
       segments_.push_back(*routing_.segments[c]);
     }
+    readings_.setZero(static_cast<Eigen::Index>(sensors_.size()));
   }
 
   // True if the tensions of all rows of this block are in range.
@@ -135,10 +136,10 @@ class RoutingForecast {
     }
   }
 
-  const Eigen::VectorXd& readings(const DatasetRow& row, const TensionState& state, double scale) {
-    readings_.resize(static_cast<Eigen::Index>(row.last - row.first));
-    read_at(row, state, scale, readings_);
-    return readings_;
+  Cells readings(const DatasetRow& row, const TensionState& state, double scale) {
+    const Cells result = readings_.head(static_cast<Eigen::Index>(row.last - row.first));
+    read_at(row, state, scale, result);
+    return result;
   }
 
   void note_contacts(std::size_t row, double motor_tension_N) {
@@ -248,7 +249,9 @@ class RoutingForecast {
   Grasp grasp_;
   Direction direction_ = Direction::pull;
   bool in_range_ = true;
-  Eigen::VectorXd readings_;  // memory of `readings`
+  // Memory of `readings`, for a row of all channels. It is not resized: for want of memory Eigen
+  // would free it twice.
+  Eigen::VectorXd readings_;
 };
 
 std::variant<Forecast, NoForecast> attempt(const Dataset& dataset, const Model& model,
