@@ -295,6 +295,9 @@ TEST(BadUsage, PointsToTheHelp) {
       {"count --blocks 9", "--blocks: Value 9 not in range 0 to 8"},
       {"count --blocks -1", "--blocks: Value -1 not in range 0 to 8"},
       {"count --blocks one", "--blocks: Value one"},
+      {"count --linked --blocks 1", "--linked with --blocks 1: expected --blocks 2 at least"},
+      {"explore --series --blocks 1", "--series with --blocks 1: expected --blocks 2 at least"},
+      {"count --bars --parts paper", "--bars with --blocks 0: expected --blocks 1 at least"},
       {"check TR1", "check: unexpected TR1; see reeve check --help"},
       {"check --format csv", "--format: csv not in {table,json,markdown,latex}"},
   });
