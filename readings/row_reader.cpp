@@ -204,7 +204,7 @@ class RowReader {
 
   void read_words(const CsvRow& row, Reading& reading) {
     const auto run = word(row, DataRole::run, [&](std::string_view text) {
-      if (is_missing(text)) throw InputError({.expected = "a name or number for the run"});
+      if (text.empty()) throw InputError({.expected = "a name or number for the run"});
       require_short_name(text);
       return runs_.place_of(text);
     });
