@@ -356,6 +356,10 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
                    "Also blocks in series on one tendon, such as M-Y1-Y2-M+Y1-1x+Y2-2x");
   command.add_flag("--bars", bars,
                    "Also rigid bars in place of blocks, such as M-W1+1x-W1/1:2-Y1+2x-Y1-3x");
+  command.add_flag("--beckets", beckets,
+                   "Also tendons tied to the block that they pass, such as M-Y1+Y1k-1-Y1-2x");
+  command.add_flag("--double-passes", double_passes,
+                   "Also tendons that pass their block twice, such as M-Y1+1x-Y1-2-Y1-3x");
   command
       .add_option("--motors", motors,
                   "Number of motors, each of which pulls a tendon, such as 2 in M-1-M2")
@@ -379,6 +383,8 @@ GeneratorOptions GeneratorFlags::read_parts() const {
   options.parts.linked = linked;
   options.parts.series = series;
   options.parts.bars = bars;
+  options.parts.beckets = beckets;
+  options.parts.double_passes = double_passes;
   if (blocks_->count() > 0) options.parts.blocks = blocks;
   for_name("--", [&] {
     if (tips_->count() > 0) options.parts.tips = parse_tips(tips);
@@ -402,6 +408,8 @@ void require_blocks(const PartSet& parts) {
   require("--linked", parts.linked, 2);
   require("--series", parts.series, 2);
   require("--bars", parts.bars, 1);
+  require("--beckets", parts.beckets, 1);
+  require("--double-passes", parts.double_passes, 1);
 }
 
 }  // namespace

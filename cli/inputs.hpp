@@ -188,6 +188,8 @@ struct GeneratorFlags {
   bool linked = false;
   bool series = false;
   bool bars = false;
+  bool beckets = false;
+  bool double_passes = false;
   std::string tendons = "any";
   bool distinct = false;
 

@@ -38,6 +38,8 @@ std::string parts_text(const PartSet& parts) {
   if (parts.linked) text += "; linked blocks";
   if (parts.series) text += "; blocks in series";
   if (parts.bars) text += "; bars";
+  if (parts.beckets) text += "; beckets";
+  if (parts.double_passes) text += "; double passes";
   return text;
 }
 
@@ -70,6 +72,8 @@ Json parts_json(const PartSet& parts) {
   if (parts.linked) json["linked"] = true;
   if (parts.series) json["series"] = true;
   if (parts.bars) json["bars"] = true;
+  if (parts.beckets) json["beckets"] = true;
+  if (parts.double_passes) json["double_passes"] = true;
   return json;
 }
 

@@ -19,7 +19,9 @@ struct PartSet {
   std::vector<TokenKind> beside{};  // joins that may stand beside an end or a tail: F-P-1x, Y1-P-Y2
   bool linked = false;              // true if two tails may be tied to each other: Y1-Y2
   bool series = false;              // true if a root may pass several blocks: F-Y1-Y2-M
-  bool bars = false;  // true if rigid bars may stand in place of blocks: M-W1+1x-W1-2x
+  bool bars = false;     // true if rigid bars may stand in place of blocks: M-W1+1x-W1-2x
+  bool beckets = false;  // true if a tendon may be tied to the block that it passes: Y1k-1-Y1-2x
+  bool double_passes = false;  // true if a tendon may pass its block twice: 1x-Y1-2-Y1-3x
 };
 
 // Greatest number of floating blocks in generated routings.

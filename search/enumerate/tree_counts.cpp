@@ -42,17 +42,19 @@ class Counter {
     const SizeTable table({fingers, blocks_});
     const std::vector<SizeTable> by_fingers(static_cast<std::size_t>(fingers), table);
     const std::vector<SizeTable> by_passes(static_cast<std::size_t>(blocks_) + 1, table);
-    counts_.assign(powers.size(), {table, table, by_fingers, table, by_passes, by_passes, table});
+    counts_.assign(powers.size(), {table, table, table, table, by_fingers, by_fingers, table,
+                                   by_passes, by_passes, table});
   }
 
   // Halves with k blocks hold branches with k blocks, and those halves with fewer.
   std::vector<TreeCounts> count() {
     for (int k = 0; k <= blocks_; ++k) {
-      for_each_power(k > 0 ? 1 : fingers_ + 1, k, [&](std::size_t p, TreeSize size) {
-        counts_[p].branches[size] = branches(p, size);
+      for_each_power(k > 0 ? 1 : fingers_ + 1, k,
+                     [&](std::size_t p, TreeSize size) { count_branches(p, size); });
+      for_each_power(0, k, [&](std::size_t p, TreeSize size) {
+        counts_[p].halves[size] = halves(p, size);
+        counts_[p].sides[size] = plus(counts_[p].halves[size], to_becket(p, size));
       });
-      for_each_power(
-          0, k, [&](std::size_t p, TreeSize size) { counts_[p].halves[size] = halves(p, size); });
       if (powers_.front().series) count_arms(k);
       for_each_power(k > 0 ? 1 : fingers_ + 1, k, [&](std::size_t p, TreeSize size) {
         counts_[p].trees[size] = trees(p, size);
@@ -89,11 +91,40 @@ class Counter {
     return times(end_variants(powers_[p]), sum);
   }
 
-  std::uint64_t branches(std::size_t p, TreeSize size) const {
-    const std::uint64_t sum = all_pairs({counts_[p].halves}, {counts_[twice(p)].halves},
-                                        size - TreeSize{0, 1}, identity_);
-    return times(block_kinds(powers_[p]),
-                 size.blocks == 1 ? plus(sum, loops(p, size.fingers)) : sum);
+  std::uint64_t to_becket(std::size_t p, TreeSize size) const {
+    const auto [n, k] = size;
+    if (!powers_[p].beckets || k > 0 || n == 0) return 0;
+    return times(arranged(n, n), strings(powers_[p], n));
+  }
+
+  void count_branches(std::size_t p, TreeSize size) {
+    TreeCounts& counts = counts_[p];
+    const TreeCounts& mirror = counts_[twice(p)];
+    const TreeSize beyond = size - TreeSize{0, 1};
+    const std::uint64_t of_loops = size.blocks == 1 ? loops(p, size.fingers) : 0;
+    counts.pulleys[size] =
+        plus(of_loops, all_pairs({counts.sides}, {mirror.sides}, beyond, identity_));
+    for (int m = 1; powers_[p].double_passes && m < size.fingers; ++m) {
+      const TreeSize of_sides = beyond - TreeSize{m, 0};
+      std::uint64_t& twice_passed = counts.double_passes[index_of(m)][of_sides];
+      twice_passed =
+          about_string(m, mirrored(powers_[p], m, identity_), counts.sides,
+                       mirrored(powers_[twice(p)], m, identity_), mirror.sides, of_sides);
+      counts.pulleys[size] = plus(counts.pulleys[size], twice_passed);
+    }
+    counts.branches[size] = counts.pulleys[size];
+    if (!powers_[p].bars) return;
+    const std::uint64_t of_bars = all_pairs({counts.halves}, {mirror.halves}, beyond, identity_);
+    counts.branches[size] = plus(counts.pulleys[size], plus(of_loops, of_bars));
+  }
+
+  // Counts pairs from the table about a string of m fingers. What a renaming, done twice, leaves is
+  // in the mirror.
+  std::uint64_t about_string(int m, const MirroredString& string, const SizeTable& table,
+                             const MirroredString& mirror, const SizeTable& in_mirror,
+                             TreeSize size) const {
+    return times(times(choices_of(m, size.fingers + m, identity_), string.middles),
+                 all_pairs({table, string.halves}, {in_mirror, mirror.halves}, size, identity_));
   }
 
   // Through a pass.
@@ -169,10 +200,9 @@ class Counter {
   std::uint64_t count_two_tailed(std::size_t p, int m, TreeSize below) const {
     const MirroredString string = between_tails(powers_[p], m, identity_);
     if (string.middles == 0) return 0;
-    const MirroredString mirror = between_tails(powers_[twice(p)], m, identity_);
-    return times(times(choices_of(m, below.fingers + m, identity_), string.middles),
-                 all_pairs({counts_[p].branches, string.halves},
-                           {counts_[twice(p)].branches, mirror.halves}, below, identity_));
+    return about_string(m, string, counts_[p].branches,
+                        between_tails(powers_[twice(p)], m, identity_), counts_[twice(p)].branches,
+                        below);
   }
 
   const PartPowers& powers_;

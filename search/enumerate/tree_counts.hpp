@@ -1,15 +1,19 @@
 // Numbers of trees of tendons, tied together by floating blocks, that a set of parts makes.
 //
 // A tree hangs on a root, a tendon that passes no block. Every block has one tail, at an end of a
-// tendon above it, and one pass; below every block hangs a finger; no tendon passes two blocks.
-// With t tip kinds, J join kinds, b kinds of joins that may stand beside an end or a tail, v = 1 +
-// b, e end kinds times v, x = 1 where tips may be anchored, n fingers, k blocks:
+// tendon above it, and one tendon that passes it; below every block hangs a finger; no tendon
+// passes two blocks. With t tip kinds, J join kinds, b kinds of joins that may stand beside an end
+// or a tail, v = 1 + b, e end kinds times v, x = 1 where tips may be anchored, n fingers, k blocks:
 //   half     H(n,k)  of a tendon, from its pass outwards: m fingers, then an end, an anchored tip
 //                    or a tail. H(n,0) = (tJ)^(n-1) (x + te), H(0,0) = e;
 //                    for k > 0: v C(n,k) + v Σ_m t^m J^(m-1) C(n-m,k)
-//   branch   C(n,k)  a block with all that is below it: the unordered pairs of halves with n
+//   side     S(n,k)  of a tendon that passes a block: H(n,k), and where there are beckets, for
+//                    k = 0 and n > 0, t^n J^(n-1) that end in one of that block
+//   branch   C(n,k)  a block with all that is below it: the unordered pairs of sides with n
 //                    fingers and k-1 blocks, and for k = 1 the loops of n fingers and the pass;
-//                    twice where the block may be a bar, whose arms follow from what is below
+//                    where it may be passed twice, for each m < n the pairs of sides with n-m
+//                    fingers, a pass before each, about m fingers; and where it may be a bar, whose
+//                    arms follow from what is below, pairs of halves and loops once more
 //   tree     R(n,k)  k > 0: M-Y1, or an end, a join and a tail of which not both are fixed to the
 //                    hand, C(n,k) each; one tail and an end or an anchored tip,
 //                    v Σ_m (e t^m + x t^(m-1)) J^(m-1) C(n-m,k); between two tails nothing, where
@@ -105,9 +109,6 @@ MirroredString between_tails(const PartSet& parts, int m, FingerIdentity identit
 // Loops of m fingers and a pass.
 std::uint64_t loops_through_pass(const PartSet& parts, int m, FingerIdentity identity);
 
-// Kinds of blocks that a branch may have: a pulley, or a rigid bar.
-inline std::uint64_t block_kinds(const PartSet& parts) { return parts.bars ? 2 : 1; }
-
 // The parts that the powers of a renaming of the motors leave as they are, each as often as there
 // are such carriages: at [0] all of them, and behind the last again the first.
 using PartPowers = std::vector<PartSet>;
@@ -151,7 +152,11 @@ std::uint64_t all_pairs(const PairSide& side, const PairSide& twice, TreeSize si
 
 struct TreeCounts {
   SizeTable halves;
+  SizeTable sides;
+  SizeTable pulleys;  // branches that are no bars
   SizeTable branches;
+  // Tendons that pass their block twice with m fingers in between, [m], by the size of both sides.
+  std::vector<SizeTable> double_passes;
   // Roots with m fingers between two tails, [m], or for [0] a join or nothing, by the size of what
   // hangs on both.
   std::vector<SizeTable> two_tailed;

@@ -114,7 +114,7 @@ void TreeWriter::write_tendon(SplitTendon& split, int own_block, std::vector<Tre
     tail.block = static_cast<std::uint8_t>(branches.size());
   }
   for (Token& token : tendon.walk) {
-    if (is_end(token.kind) || !is_of_block(token.kind) || token.block > 0) continue;
+    if (!is_of_block(token.kind) || token.block > 0) continue;
     token.block = static_cast<std::uint8_t>(own_block);
   }
 }

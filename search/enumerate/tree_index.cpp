@@ -1,5 +1,6 @@
 #include "search/enumerate/tree_index.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <numeric>
 
@@ -99,7 +100,11 @@ void TreeDecoder::append_beside(std::uint64_t variant, Walk& walk) const {
   if (variant > 0) walk.push_back(plain(parts_.beside[variant - 1]));
 }
 
-void TreeDecoder::append_middle(int m, std::uint64_t kind, Walk& walk) const {
+void TreeDecoder::append_middle(int m, std::uint64_t middles, FingerSet& fingers, Digits& digits,
+                                Walk& walk) const {
+  FingerSet own = take_some(fingers, m, digits, identity_);
+  if (identity_ == FingerIdentity::distinct) return append_string(m, own, digits, walk);
+  const std::uint64_t kind = digits.take(middles);
   walk.push_back(m % 2 == 1 ? finger(0, parts_.tips[kind]) : plain(parts_.joins[kind]));
 }
 
@@ -150,6 +155,14 @@ void TreeDecoder::decode_half(const TreeIndex& half, HalfTendon& tendon) const {
   tendon.tail = TreeIndex{size - TreeSize{m, 0}, digits.rest(), fingers};
 }
 
+void TreeDecoder::decode_side(const TreeIndex& side, HalfTendon& tendon) const {
+  Digits digits(side.index);
+  if (digits.is_among(counts_.halves[side.size])) return decode_half(side, tendon);
+  FingerSet fingers = side.fingers;
+  append_string(side.size.fingers, fingers, digits, tendon.tokens);
+  tendon.tokens.push_back(block(TokenKind::becket, 0));
+}
+
 TreeDecoder::Pair TreeDecoder::decode_pair(const SizeTable& table, std::uint64_t variants,
                                            TreeSize size, FingerSet fingers, Digits& digits) const {
   SizePair split{{}, size};
@@ -174,7 +187,7 @@ void TreeDecoder::append_loop(int m, FingerSet fingers, Digits& digits, Walk& wa
     const MirroredString string = mirrored(parts_, m, identity_);
     Walk half;
     Walk middle;
-    append_middle(m, digits.take(string.middles), middle);
+    append_middle(m, string.middles, fingers, digits, middle);
     std::uint64_t other = digits.rest();
     append_mirrored(m, greatest_of_multiset(string.halves, 2, other), half);
     walk.insert(walk.end(), half.rbegin(), half.rend());
@@ -197,15 +210,21 @@ void TreeDecoder::append_loop(int m, FingerSet fingers, Digits& digits, Walk& wa
 }
 
 bool TreeDecoder::is_bar(const TreeIndex& branch) const {
-  return branch.index % block_kinds(parts_) > 0;
+  return branch.index >= counts_.pulleys[branch.size];
 }
 
 Token TreeDecoder::tail_of(const TreeIndex& branch) const {
   return block(is_bar(branch) ? TokenKind::bar_pivot : TokenKind::block_tail, 0);
 }
 
+// A side that passes the block once more pulls it by two more strands, and by one if it ends there.
 int TreeDecoder::sides_below(const HalfTendon& half) const {
-  return half.tail ? sides_below(*half.tail) : 1;
+  const auto many = [&](TokenKind kind) {
+    return static_cast<int>(std::count_if(half.tokens.begin(), half.tokens.end(),
+                                          [&](const Token& token) { return token.kind == kind; }));
+  };
+  const int strands = 1 + many(TokenKind::block_pass);
+  return half.tail ? strands * sides_below(*half.tail) : strands + many(TokenKind::becket);
 }
 
 int TreeDecoder::sides_below(const TreeIndex& branch) const {
@@ -228,30 +247,53 @@ void TreeDecoder::decode_branch(const TreeIndex& branch, SplitTendon& tendon) co
 
 void TreeDecoder::decode_passing(const TreeIndex& branch, SplitTendon& tendon) const {
   clear(tendon);
-  tendon.middle.push_back(block(TokenKind::block_pass, 0));
-  Digits digits(branch.index / block_kinds(parts_));
+  Digits digits(branch.index);
+  const bool is_pulley = digits.is_among(counts_.pulleys[branch.size]);
   const int n = branch.size.fingers;
-  if (branch.size.blocks == 1 && digits.is_among(loops_through_pass(parts_, n, identity_))) {
+  const TreeSize beyond = branch.size - TreeSize{0, 1};
+  if (is_pulley && parts_.double_passes) {
+    for (int m = 1; m < n; ++m) {
+      const TreeSize of_sides = beyond - TreeSize{m, 0};
+      if (!digits.is_among(counts_.double_passes[static_cast<std::size_t>(m)][of_sides])) continue;
+      return decode_double_pass(m, of_sides, branch.fingers, digits, tendon);
+    }
+  }
+  tendon.middle.push_back(block(TokenKind::block_pass, 0));
+  if (beyond.blocks == 0 && digits.is_among(loops_through_pass(parts_, n, identity_))) {
     tendon.closed = true;
     append_loop(n, branch.fingers, digits, tendon.middle);
     return;
   }
-  const Pair halves =
-      decode_pair(counts_.halves, 1, branch.size - TreeSize{0, 1}, branch.fingers, digits);
-  decode_half(halves.first, tendon.left);
-  decode_half(halves.second, tendon.right);
+  const SizeTable& table = is_pulley ? counts_.sides : counts_.halves;
+  const Pair sides = decode_pair(table, 1, beyond, branch.fingers, digits);
+  decode_side(sides.first, tendon.left);
+  decode_side(sides.second, tendon.right);
+}
+
+void TreeDecoder::decode_double_pass(int m, TreeSize of_sides, FingerSet fingers, Digits& digits,
+                                     SplitTendon& tendon) const {
+  const MirroredString string = mirrored(parts_, m, identity_);
+  append_middle(m, string.middles, fingers, digits, tendon.middle);
+  Pair sides = decode_pair(counts_.sides, string.halves, of_sides, fingers, digits);
+  const auto append_side = [&](TreeIndex& side, HalfTendon& half) {
+    if (identity_ == FingerIdentity::identical) {
+      append_mirrored(m, side.index % string.halves, half.tokens);
+    }
+    half.tokens.push_back(block(TokenKind::block_pass, 0));
+    side.index /= string.halves;
+    decode_side(side, half);
+  };
+  append_side(sides.first, tendon.left);
+  append_side(sides.second, tendon.right);
 }
 
 void TreeDecoder::decode_two_tailed(int m, TreeSize below, FingerSet fingers, Digits& digits,
                                     SplitTendon& tendon) const {
   const MirroredString string = between_tails(parts_, m, identity_);
-  FingerSet own = take_some(fingers, m, digits, identity_);
   if (m == 0) {
     append_beside(digits.take(string.middles) + (parts_.linked ? 0 : 1), tendon.middle);
-  } else if (identity_ == FingerIdentity::distinct) {
-    append_string(m, own, digits, tendon.middle);
   } else {
-    append_middle(m, digits.take(string.middles), tendon.middle);
+    append_middle(m, string.middles, fingers, digits, tendon.middle);
   }
   Pair branches = decode_pair(counts_.branches, string.halves, below, fingers, digits);
   const auto append_half = [&](TreeIndex& branch, HalfTendon& half) {

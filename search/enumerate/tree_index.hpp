@@ -46,8 +46,9 @@ struct HalfTendon {
 };
 
 // The middle is the pass of a branch, as a block or bar without number, or what a root has between
-// its halves. A loop is all middle, from its pass on. A root that passes blocks in series numbers
-// them from 1, and on their tails are the risers, [block - 1].
+// its halves, or what is between two passes, which then begin the halves. A loop is all middle,
+// from its pass on. A root that passes blocks in series numbers them from 1, and on their tails are
+// the risers, [block - 1].
 struct SplitTendon {
   HalfTendon left;
   Walk middle;
@@ -82,12 +83,15 @@ class TreeDecoder {
   void append_to_end(int m, FingerSet& fingers, Digits& digits, Walk& walk) const;
   // An end or a tail's `variant`: no join, or one of those that may stand beside it.
   void append_beside(std::uint64_t variant, Walk& walk) const;
-  void append_middle(int m, std::uint64_t kind, Walk& walk) const;
+  // The middle of a string of m fingers, with distinct ones all of it.
+  void append_middle(int m, std::uint64_t middles, FingerSet& fingers, Digits& digits,
+                     Walk& walk) const;
   void append_mirrored(int m, std::uint64_t index, Walk& walk) const;
   void append_loop(int m, FingerSet fingers, Digits& digits, Walk& walk) const;
   // Halves of this size with m fingers above a tail.
   std::uint64_t tailed_halves(int m, TreeSize size) const;
   void decode_half(const TreeIndex& half, HalfTendon& tendon) const;
+  void decode_side(const TreeIndex& side, HalfTendon& tendon) const;
   bool is_bar(const TreeIndex& branch) const;
   // … with a pass also where the branch is a bar.
   void decode_passing(const TreeIndex& branch, SplitTendon& tendon) const;
@@ -96,6 +100,8 @@ class TreeDecoder {
   int sides_below(const HalfTendon& half) const;
   ArmRatio arms_between(const SplitTendon& sides) const;
   bool decode_hanging(const TreeIndex& tree, Digits& digits, SplitTendon& tendon) const;
+  void decode_double_pass(int m, TreeSize of_sides, FingerSet fingers, Digits& digits,
+                          SplitTendon& tendon) const;
   void decode_two_tailed(int m, TreeSize below, FingerSet fingers, Digits& digits,
                          SplitTendon& tendon) const;
   // Appends a pass to the walk and its riser to the tendon. Returns the others, of which there are

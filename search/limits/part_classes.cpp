@@ -39,17 +39,18 @@ PartCount parts_of_token(const Token& token) {
     case TokenKind::anchored_tip:
       parts.anchors = 1;
       break;
-    case TokenKind::block_pass:
+    // In what is generated each block has one tail.
+    case TokenKind::block_tail:
       parts.blocks = 1;
       break;
-    case TokenKind::bar_arms:
+    case TokenKind::bar_pivot:
       parts.bars = 1;
       break;
     case TokenKind::fixed_end:
     case TokenKind::tube_join:
-    case TokenKind::block_tail:
+    case TokenKind::block_pass:
     case TokenKind::becket:
-    case TokenKind::bar_pivot:
+    case TokenKind::bar_arms:
       break;
   }
   return parts;

@@ -127,22 +127,47 @@ TreeParts::Sort TreeParts::tailed_half(TreeSize size) {
 TreeParts::Sort TreeParts::branch(TreeSize size) {
   return known(branches_, size.fingers, size.blocks, [&] {
     if (size.fingers == 0 || size.blocks == 0) return nothing_;
-    std::vector<Sort> sorts;
-    if (size.blocks == 1) sorts.push_back(loop_through_pass(size.fingers));
-    append_pairs(
-        size - TreeSize{0, 1}, [&](TreeSize member) { return half(member); }, sorts);
-    std::vector<PartClass> kinds{classes_.of(block(TokenKind::block_pass, 0))};
-    if (parts_.bars) kinds.push_back(classes_.of(bar(0)));
-    return numbered_.both(numbered_.kinds(std::move(kinds)), numbered_.one_after_the_other(sorts));
+    const auto once_passed = [&](auto of_one_side) {
+      std::vector<Sort> sorts;
+      if (size.blocks == 1) sorts.push_back(loop_through_pass(size.fingers));
+      append_pairs(size - TreeSize{0, 1}, of_one_side, sorts);
+      return numbered_.one_after_the_other(sorts);
+    };
+    const auto with_tail = [&](Sort sort, TokenKind kind) {
+      return numbered_.with(sort, classes_.of(block(kind, 0)));
+    };
+    const Sort once = once_passed([&](TreeSize member) { return side(member); });
+    const Sort pulleys =
+        with_tail(numbered_.one_after_the_other({double_pass(size), once}), TokenKind::block_tail);
+    if (!parts_.bars) return pulleys;
+    const Sort arms = once_passed([&](TreeSize member) { return half(member); });
+    return numbered_.one_after_the_other({pulleys, with_tail(arms, TokenKind::bar_pivot)});
   });
 }
 
-TreeParts::Sort TreeParts::two_tailed(int m, TreeSize below) {
+TreeParts::Sort TreeParts::side(TreeSize size) {
+  if (!parts_.beckets || size.blocks > 0 || size.fingers == 0) return half(size);
+  return known(sides_, size.fingers, size.blocks, [&] {
+    return numbered_.one_after_the_other({half(size), string(size.fingers)});
+  });
+}
+
+TreeParts::Sort TreeParts::double_pass(TreeSize of_branch) {
+  std::vector<Sort> sorts;
+  for (int m = 1; parts_.double_passes && m < of_branch.fingers; ++m) {
+    sorts.push_back(
+        about_string(m, of_branch - TreeSize{m, 1}, [&](TreeSize member) { return side(member); }));
+  }
+  return numbered_.one_after_the_other(sorts);
+}
+
+// Pairs of members about a string of m fingers.
+template <typename Member>
+TreeParts::Sort TreeParts::about_string(int m, TreeSize size, Member member) {
   if (numbered_.size(middle(m)) == 0) return nothing_;
   std::vector<Sort> pairs;
   append_pairs(
-      below, [&](TreeSize member) { return numbered_.both(mirrored_half(m), branch(member)); },
-      pairs);
+      size, [&](TreeSize one) { return numbered_.both(mirrored_half(m), member(one)); }, pairs);
   return numbered_.both(middle(m), numbered_.one_after_the_other(pairs));
 }
 
@@ -166,7 +191,7 @@ TreeParts::Sort TreeParts::beside_risers(TreeSize size, Others others) {
     sorts.push_back(numbered_.both(first, others(split.second)));
   } while (next_pair(split));
   return numbered_.with(numbered_.one_after_the_other(sorts),
-                        classes_.of(block(TokenKind::block_pass, 0)));
+                        classes_.of(block(TokenKind::block_tail, 0)));
 }
 
 TreeParts::Sort TreeParts::arm(int passes, TreeSize size) {
@@ -204,7 +229,7 @@ TreeParts::Sort TreeParts::tree(TreeSize size) {
     for (int m = 0; m < size.fingers; ++m) {
       const TreeSize below{size.fingers - m, size.blocks};
       if (m > 0) sorts.push_back(numbered_.both(to_end(m), branch(below)));
-      sorts.push_back(two_tailed(m, below));
+      sorts.push_back(about_string(m, below, [&](TreeSize member) { return branch(member); }));
     }
     for (int passes = 2; parts_.series && passes <= size.blocks; ++passes) {
       sorts.push_back(in_series(passes, size));

@@ -41,8 +41,9 @@ class TreeParts {
   Sort loop_through_pass(int m);
   Sort half(TreeSize size);
   Sort tailed_half(TreeSize size);
+  Sort side(TreeSize size);
+  Sort double_pass(TreeSize of_branch);
   Sort branch(TreeSize size);
-  Sort two_tailed(int m, TreeSize below);
   Sort beads_before(int passes);
   Sort riser(TreeSize size);
   Sort arm(int passes, TreeSize size);
@@ -52,6 +53,8 @@ class TreeParts {
   Sort in_series(int passes, TreeSize size);
   template <typename Member>
   void append_pairs(TreeSize size, Member member, std::vector<Sort>& pairs);
+  template <typename Member>
+  Sort about_string(int m, TreeSize size, Member member);
   Sort sets_from(std::size_t first, TreeSize size);
 
   const PartClasses& classes_;
@@ -64,6 +67,7 @@ class TreeParts {
   Sizes to_ends_;
   Sizes mirrored_;
   Sizes halves_;
+  Sizes sides_;
   Sizes branches_;
   Sizes risers_;
   std::map<int, Sizes> arms_;  // by their number of passes

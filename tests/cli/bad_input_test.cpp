@@ -298,6 +298,9 @@ TEST(BadUsage, PointsToTheHelp) {
       {"count --linked --blocks 1", "--linked with --blocks 1: expected --blocks 2 at least"},
       {"explore --series --blocks 1", "--series with --blocks 1: expected --blocks 2 at least"},
       {"count --bars --parts paper", "--bars with --blocks 0: expected --blocks 1 at least"},
+      {"explore --beckets --blocks 0", "--beckets with --blocks 0: expected --blocks 1 at least"},
+      {"count --double-passes --parts full",
+       "--double-passes with --blocks 0: expected --blocks 1 at least"},
       {"check TR1", "check: unexpected TR1; see reeve check --help"},
       {"check --format csv", "--format: csv not in {table,json,markdown,latex}"},
   });

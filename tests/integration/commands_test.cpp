@@ -271,7 +271,7 @@ TEST(Version, TellsProgramsWithOtherChangesApart) {
 TEST(Help, MentionsEveryOption) {
   const Arguments generator(
       "--fingers --parts --tips --joins --ends --anchored --blocks --beside-ends --linked "
-      "--series --bars --motors --distinct-fingers");
+      "--series --bars --beckets --double-passes --motors --distinct-fingers");
   const Arguments ranking(
       "--grasps --objectives --score --uncertainty --draws --seed --threads --hardware "
       "--model --format --tradeoff --within --cost --sweep --columns --text-width");

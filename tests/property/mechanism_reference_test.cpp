@@ -96,24 +96,26 @@ TEST(ReferenceProperty, TreesAndTacklesAreThoseOfAnIndependentSolver) {
   }
 }
 
-bool has_linked_blocks_a_series_or_bars(const Routing& routing) {
+bool has_more_than_plain_blocks(const Routing& routing) {
   if (block_count(routing).bars > 0) return true;
   return std::any_of(routing.tendons.begin(), routing.tendons.end(), [](const Tendon& tendon) {
     const auto many = [&](TokenKind kind) {
       return std::count_if(tendon.walk.begin(), tendon.walk.end(),
                            [&](const Token& token) { return token.kind == kind; });
     };
-    return many(TokenKind::block_pass) > 1 ||
+    return many(TokenKind::block_pass) > 1 || many(TokenKind::becket) > 0 ||
            (tendon.walk.size() == 2 && many(TokenKind::block_tail) == 2);
   });
 }
 
-TEST(ReferenceProperty, LinkedBlocksSeriesAndBarsAreThoseOfAnIndependentSolver) {
+TEST(ReferenceProperty, OfMoreThanPlainBlocksAreThoseOfAnIndependentSolver) {
   const search::PartSet few = testing::with_blocks(testing::anchored(search::full_parts()), 4);
   int solved = 0;
   for (const search::PartSet& parts :
        {testing::linked(few), testing::in_series(few), testing::linked(testing::in_series(few)),
-        testing::barred(few), testing::barred(testing::linked(testing::in_series(few)))}) {
+        testing::barred(few), testing::barred(testing::linked(testing::in_series(few))),
+        testing::becketed(few), testing::passed_twice(few),
+        testing::becketed(testing::barred(testing::passed_twice(few)))}) {
     for (int fingers = 2; fingers <= 5; ++fingers) {
       search::RoutingGenerator generator(
           testing::generating(parts, fingers, testing::identical, true));
@@ -123,7 +125,7 @@ TEST(ReferenceProperty, LinkedBlocksSeriesAndBarsAreThoseOfAnIndependentSolver) 
         Routing routing;
         generator.seek(engine() % generator.total());
         generator.next(routing);
-        if (!is_actuated(routing) || !has_linked_blocks_a_series_or_bars(routing)) continue;
+        if (!is_actuated(routing) || !has_more_than_plain_blocks(routing)) continue;
         const std::string word = to_word(routing);
         const ReferenceHardware hardware = testing::random_reference_hardware(dice, word);
         const Network network = expand(routing);

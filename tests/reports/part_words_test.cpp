@@ -18,13 +18,12 @@ TEST(PartsText, CountsOneBlockAndMore) {
   EXPECT_FALSE(has(parts_text(search::paper_parts()), "block"));
 }
 
-TEST(PartsText, NamesSeveralMotorsJoinsBesideEndsLinkedBlocksSeriesAndBars) {
+TEST(PartsText, NamesWhatIsAskedForBesidePlainBlocks) {
   PartSet parts = search::paper_parts();
-  EXPECT_FALSE(parts_json(parts).contains("motors"));
-  EXPECT_FALSE(parts_json(parts).contains("beside_ends"));
-  EXPECT_FALSE(parts_json(parts).contains("linked"));
-  EXPECT_FALSE(parts_json(parts).contains("series"));
-  EXPECT_FALSE(parts_json(parts).contains("bars"));
+  for (const char* key :
+       {"motors", "beside_ends", "linked", "series", "bars", "beckets", "double_passes"}) {
+    EXPECT_FALSE(parts_json(parts).contains(key)) << key;
+  }
   parts.motors = 2;
   parts.beside = search::parse_joins("B,P");
   EXPECT_EQ(parts_text(parts), "tips tube; joins T, P; ends M, F; 2 motors; beside ends B, P");
@@ -39,6 +38,10 @@ TEST(PartsText, NamesSeveralMotorsJoinsBesideEndsLinkedBlocksSeriesAndBars) {
   parts.bars = true;
   EXPECT_TRUE(has(parts_text(parts), "; blocks in series; bars"));
   EXPECT_EQ(parts_json(parts)["bars"], true);
+  parts.beckets = parts.double_passes = true;
+  EXPECT_TRUE(has(parts_text(parts), "; bars; beckets; double passes"));
+  EXPECT_EQ(parts_json(parts)["beckets"], true);
+  EXPECT_EQ(parts_json(parts)["double_passes"], true);
 }
 
 TEST(LeftOutText, NamesThePartsAndTheOptionThatAsksForThem) {

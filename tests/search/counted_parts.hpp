@@ -26,13 +26,9 @@ inline CountedParts counted(const PartSet& parts) {
 inline CountedTreeParts counted_with_trees(const PartSet& parts) {
   const auto motor_beside =
       static_cast<int>(std::count_if(parts.beside.begin(), parts.beside.end(), is_on_carriage));
-  return {counted(parts),
-          parts.anchored,
-          parts.linked,
-          parts.series,
-          parts.bars,
-          parts.motors,
-          static_cast<int>(parts.beside.size()) - motor_beside,
+  return {counted(parts),      parts.anchored, parts.linked,
+          parts.series,        parts.bars,     parts.beckets,
+          parts.double_passes, parts.motors,   static_cast<int>(parts.beside.size()) - motor_beside,
           motor_beside};
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/notation.hpp"
+#include "search/evaluate/evaluation.hpp"
 #include "tests/search/generated.hpp"
 #include "tests/search/naive_exploration.hpp"
 
@@ -57,6 +59,22 @@ TEST(ExploreTrees, BlocksInSeriesPullTwoFingersAlike) {
   const ExploreResult result = explore(options_for(parts, 2));
   EXPECT_EQ(result.top.front().design.word, word);
   EXPECT_NEAR(value(result.top.front().design.values, Objective::uniformity_mean), 1, 1e-9);
+}
+
+// By symmetry the tendon stays where it is on finger 2 and on both sheaves, so that all strands are
+// alike while no finger is held.
+TEST(ExploreTrees, ADoublePassPullsThreeFingersWithOneBlockAndOneSheath) {
+  PartSet parts = with_blocks(all_parts(), 1);
+  ExploreOptions options = options_for(parts, 3);
+  options.constraints = constraints_of({"sheaths<=1"});
+  const std::string word = "M-Y1+1x-Y1-2b-Y1-3x";
+  EXPECT_FALSE(is_among(word, explore(options).front));
+  options.generator.parts.double_passes = true;
+  const ExploreResult result = explore(options);
+  const Design& best = result.top.front().design;
+  EXPECT_EQ(best.word, word);
+  DesignEvaluator evaluator(Model{}, parse_grasps("none", 3));
+  EXPECT_NEAR(value(evaluator.evaluate(parse_routing(word)), Objective::uniformity_mean), 1, 1e-12);
 }
 
 // Two bars that share the pull 1 : 2 and 1 : 1 leave nothing to friction at the hand.

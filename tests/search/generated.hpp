@@ -67,6 +67,16 @@ inline PartSet barred(PartSet parts) {
   return parts;
 }
 
+inline PartSet becketed(PartSet parts) {
+  parts.beckets = true;
+  return parts;
+}
+
+inline PartSet passed_twice(PartSet parts) {
+  parts.double_passes = true;
+  return parts;
+}
+
 inline GeneratorOptions generating(const PartSet& parts, int fingers, FingerIdentity identity,
                                    bool one_tendon = false) {
   return {parts, fingers, identity, one_tendon};
@@ -90,7 +100,8 @@ inline std::string label_of(const GeneratorOptions& o) {
          (o.parts.blocks > 0 ? std::to_string(o.parts.blocks) + " blocks, " : "") +
          (o.parts.beside.empty() ? "" : "beside " + beside_text(o.parts) + ", ") +
          (o.parts.linked ? "linked, " : "") + (o.parts.series ? "in series, " : "") +
-         (o.parts.bars ? "bars, " : "") +
+         (o.parts.bars ? "bars, " : "") + (o.parts.beckets ? "beckets, " : "") +
+         (o.parts.double_passes ? "double passes, " : "") +
          (o.parts.motors > 1 ? std::to_string(o.parts.motors) + " motors, " : "") +
          std::to_string(o.fingers) + (o.identity == distinct ? " distinct" : "") + " fingers" +
          (o.one_tendon ? ", one tendon" : "");

@@ -63,7 +63,8 @@ LimitedCounts filtered(const GeneratorOptions& options,
 TEST(LimitedCounts, AreThoseOfAllRoutingsFiltered) {
   for (const PartSet& parts : {paper_parts(), full_parts(), all_parts(),
                                linked(in_series(with_blocks(anchored(paper_parts()), 3))),
-                               barred(in_series(with_blocks(anchored(paper_parts()), 2)))}) {
+                               barred(in_series(with_blocks(anchored(paper_parts()), 2))),
+                               becketed(passed_twice(with_blocks(anchored(paper_parts()), 2)))}) {
     for (int fingers = 1; fingers <= (parts.blocks > 0 ? 3 : 4); ++fingers) {
       const GeneratorOptions options{parts, fingers};
       for (const std::vector<std::string>& texts : {std::vector<std::string>{"sheaths<=2"},

@@ -128,7 +128,8 @@ TEST(LimitedGenerator, GivesOfFloatingBlocksThoseWithinTheLimits) {
     }
   }
   for (const PartSet& parts :
-       {all_parts(), linked(all_parts()), in_series(all_parts()), barred(all_parts())}) {
+       {all_parts(), linked(all_parts()), in_series(all_parts()), barred(all_parts()),
+        becketed(passed_twice(paper_parts())), becketed(barred(passed_twice(paper_parts())))}) {
     expect_all(generating(with_blocks(parts, 2), 3, identical), {"sheaths<=1", "pulleys<=2"});
   }
   for (const PartSet& parts : {anchored(paper_parts()), linked(anchored(paper_parts())),

@@ -77,8 +77,19 @@ std::vector<PartSet> various_parts() {
   return sets;
 }
 
-TEST(TreeCounts, AreThoseOfThePowerSeries) {
+std::vector<PartSet> parts_with_sheaves() {
+  std::vector<PartSet> sets;
   for (const PartSet& parts : various_parts()) {
+    if (parts.linked && !parts.series) continue;
+    sets.push_back(becketed(parts));
+    sets.push_back(passed_twice(parts));
+    sets.push_back(becketed(passed_twice(parts)));
+  }
+  return sets;
+}
+
+void expect_power_series(const std::vector<PartSet>& sets) {
+  for (const PartSet& parts : sets) {
     for (const FingerIdentity identity : {identical, distinct}) {
       for (int fingers = 1; fingers <= 6; ++fingers) {
         for (int blocks = 0; blocks <= 4; ++blocks) {
@@ -90,6 +101,12 @@ TEST(TreeCounts, AreThoseOfThePowerSeries) {
       }
     }
   }
+}
+
+TEST(TreeCounts, AreThoseOfThePowerSeries) { expect_power_series(various_parts()); }
+
+TEST(TreeCounts, OfBecketsAndDoublePassesAreThoseOfThePowerSeries) {
+  expect_power_series(parts_with_sheaves());
 }
 
 void expect_brute_force(const PartSet& parts, int fingers, int blocks, FingerIdentity identity) {
@@ -108,6 +125,7 @@ TEST(TreeCounts, AreThoseOfBruteForce) {
         }
       }
     }
+    for (const PartSet& parts : parts_with_sheaves()) expect_brute_force(parts, 2, 1, identity);
   }
 }
 
@@ -148,6 +166,24 @@ TEST(TreeCounts, OfThreeBlocksInSeriesAndBarsAreThoseOfBruteForce) {
                        identity);
     expect_brute_force(with_motors(in_series(anchored(parts_of("tube", "P", "M"))), 2), 2, 2,
                        identity);
+  }
+}
+
+TEST(TreeCounts, OfBecketsAndDoublePassesAreThoseOfBruteForce) {
+  for (const FingerIdentity identity : {identical, distinct}) {
+    for (const char* joins : {"", "P"}) {
+      const PartSet few = anchored(parts_of("tube", joins, "M"));
+      expect_brute_force(becketed(few), 3, 1, identity);
+      expect_brute_force(passed_twice(few), 3, 1, identity);
+      expect_brute_force(becketed(passed_twice(few)), 3, 1, identity);
+    }
+    const PartSet few = parts_of("tube", "", "M");
+    expect_brute_force(becketed(few), 2, 2, identity);
+    expect_brute_force(passed_twice(few), 3, 2, identity);
+    expect_brute_force(barred(in_series(passed_twice(few))), 2, 2, identity);
+    const PartSet of_two_motors = with_motors(anchored(parts_of("tube", "P", "M")), 2);
+    expect_brute_force(becketed(passed_twice(of_two_motors)), 2, 1, identity);
+    expect_brute_force(becketed(passed_twice(with_beside(few, "P"))), 2, 1, identity);
   }
 }
 

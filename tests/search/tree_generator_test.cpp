@@ -65,6 +65,15 @@ std::vector<GeneratorOptions> small_searches() {
     }
     searches.push_back(
         generating(in_series(tied(parts_of("tube", "", "M"), 4)), 4, identical, one_tree));
+    for (const char* joins : {"", "P"}) {
+      const PartSet few = becketed(passed_twice(tied(parts_of("tube", joins, "M"), 2)));
+      searches.push_back(generating(few, 3, identical, one_tree));
+      searches.push_back(generating(few, 3, distinct, one_tree));
+      searches.push_back(generating(linked(in_series(barred(few))), 3, identical, one_tree));
+      searches.push_back(generating(with_beside(few, "P"), 2, identical, one_tree));
+    }
+    searches.push_back(generating(becketed(passed_twice(tied(full_parts(), 1))), 3, identical));
+    searches.push_back(generating(becketed(passed_twice(tied(paper_parts(), 2))), 3, identical));
   }
   searches.push_back(generating(barred(linked(tied(parts_of("tube", "", "M"), 4))), 4, identical));
   // Has two trees of one shape, reached by different blocks of their roots.
@@ -190,6 +199,25 @@ TEST(TreeGenerator, Bars) {
   }
 }
 
+TEST(TreeGenerator, BecketsAndDoublePasses) {
+  const PartSet few = tied(parts_of("tube", "", "M"), 1);
+  const auto added = [&](const PartSet& parts, int fingers) {
+    std::vector<std::string> words = generated_words(generating(parts, fingers, identical, true));
+    for (const std::string& word : generated_words(generating(few, fingers, identical, true))) {
+      EXPECT_EQ(std::erase(words, word), 1U) << word;
+    }
+    return words;
+  };
+  EXPECT_EQ(added(becketed(few), 1), (std::vector<std::string>{"M-Y1+M-Y1-1-Y1k"}));
+  EXPECT_EQ(added(passed_twice(few), 1), std::vector<std::string>{});
+  EXPECT_EQ(
+      added(becketed(few), 2),
+      (std::vector<std::string>{"M-Y1+1x-Y1-2-Y1k", "M-Y1+M-1-Y1-2-Y1k", "M-Y1+Y1k-1-Y1-2-Y1k",
+                                "1x-Y1+M-Y1-2-Y1k", "M-1-Y1+M-Y1-2-Y1k"}));
+  EXPECT_EQ(added(passed_twice(few), 2),
+            (std::vector<std::string>{"M-Y1+M-Y1-1-Y1-2x", "M-Y1+M-1-Y1-2-Y1-M"}));
+}
+
 TEST(TreeGenerator, MoreBlocksComeBehindFewer) {
   const auto fewer = generated_words(generating(tied(paper_parts(), 1), 3, identical));
   auto more = generated_words(generating(tied(paper_parts(), 2), 3, identical));
@@ -233,6 +261,7 @@ TEST(TreeGenerator, NoTwoRoutingsAreTheSame) {
         generating(linked(tied(few, 4)), 2, identical),
         generating(in_series(tied(few, 3)), 3, identical),
         generating(barred(tied(few, 3)), 3, identical),
+        generating(becketed(passed_twice(tied(few, 2))), 3, identical),
         generating(linked(in_series(tied(parts_of("tube", "", "M"), 4))), 4, identical)}) {
     GraphClasses classes(25);
     std::uint64_t given = 0;
@@ -269,6 +298,9 @@ TEST(TreeGenerator, StartsAnywhereInLargeSearches) {
   const PartSet many = barred(linked(in_series(tied(full_parts(), 8))));
   expect_good_places(generating(many, 6, identical, true), 2000);
   expect_good_places(generating(barred(tied(paper_parts(), 4)), 4, distinct), 500);
+  const PartSet sheaves = becketed(passed_twice(tied(full_parts(), 8)));
+  expect_good_places(generating(sheaves, 6, identical, true), 2000);
+  expect_good_places(generating(barred(linked(in_series(sheaves))), 5, distinct), 200);
 }
 
 TEST(TreeGenerator, AsManyBlocksAsCanBeAndNoMore) {

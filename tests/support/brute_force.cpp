@@ -10,12 +10,22 @@
 namespace reeve::testing {
 namespace {
 
-enum class PortKind { strand, side, tail };
+enum class PortKind { strand, side, tail, becket };
 
-// What is tied at the hand: a strand's end, a side of a block's pass, a block's tail.
+// What is tied at the hand: a strand's end, a side of a block's pass, a block's tail or becket.
 struct Port {
   PortKind kind;
-  std::size_t owner;  // finger or block
+  std::size_t owner;     // finger or block
+  std::size_t pass = 0;  // which of the block's
+
+  friend bool operator==(const Port&, const Port&) = default;
+};
+
+struct Sheaves {
+  std::size_t passes = 1;
+  std::size_t beckets = 0;
+
+  friend auto operator<=>(const Sheaves&, const Sheaves&) = default;
 };
 
 constexpr std::size_t untied = static_cast<std::size_t>(-1);
@@ -35,6 +45,8 @@ struct PortParts {
   bool linked;
   bool series;
   bool barred;
+  bool becketed;
+  bool doubled;
   std::size_t joins;  // passive ones first
   std::size_t passive_joins;
   std::size_t ends;  // motor ones first
@@ -55,6 +67,8 @@ PortParts port_parts(const CountedTreeParts& counted) {
           counted.linked,
           counted.series,
           counted.barred,
+          counted.becketed,
+          counted.doubled,
           many(parts.passive_joins + parts.motor_joins * counted.motors),
           many(parts.passive_joins),
           many(parts.motor_ends * counted.motors + parts.fixed_ends),
@@ -71,6 +85,7 @@ class Search {
         blocks_(blocks),
         identical_(identical),
         tip_(fingers, 0),
+        sheaves_(blocks),
         classes_(first_tip() + kinds.fingers() * fingers) {}
 
   const RoutingCounts& run() {
@@ -81,11 +96,25 @@ class Search {
  private:
   // Of identical fingers the kinds may be taken to ascend.
   void choose_tip(std::size_t finger) {
-    if (finger == tip_.size()) return tie_all();
+    if (finger == tip_.size()) return choose_sheaves(0);
     for (std::size_t kind = finger > 0 && identical_ ? tip_[finger - 1] : 0;
          kind < kinds_.fingers(); ++kind) {
       tip_[finger] = kind;
       choose_tip(finger + 1);
+    }
+  }
+
+  // Of blocks the sheaves may be taken to ascend; bars have none.
+  void choose_sheaves(std::size_t block) {
+    if (block == blocks_) return tie_all();
+    sheaves_[block] = {};
+    if (block < bars_) return choose_sheaves(block + 1);
+    for (std::size_t passes = 1; passes <= (kinds_.doubled ? 2U : 1U); ++passes) {
+      for (std::size_t beckets = 0; beckets <= (kinds_.becketed ? 2U : 0U); ++beckets) {
+        sheaves_[block] = {passes, beckets};
+        if (block > bars_ && sheaves_[block] < sheaves_[block - 1]) continue;
+        choose_sheaves(block + 1);
+      }
     }
   }
 
@@ -98,9 +127,12 @@ class Search {
       if (!is_anchored(f)) ports_.push_back({PortKind::strand, f});
     }
     for (std::size_t b = 0; b < blocks_; ++b) {
-      ports_.push_back({PortKind::side, b});
-      ports_.push_back({PortKind::side, b});
+      for (std::size_t side = 0; side < 2 * sheaves_[b].passes; ++side) {
+        ports_.push_back({PortKind::side, b, side / 2});
+      }
       ports_.push_back({PortKind::tail, b});
+      for (std::size_t i = 0; i < sheaves_[b].beckets; ++i)
+        ports_.push_back({PortKind::becket, b, i});
     }
     ties_.assign(ports_.size(), {});
     tie(0);
@@ -110,7 +142,7 @@ class Search {
     if (port == ports_.size()) return add();
     if (ties_[port].partner != untied) return tie(port + 1);
     for (std::size_t part = 0; part < kinds_.ends * (1 + kinds_.beside); ++part) {
-      if (ports_[port].kind != PortKind::tail || hangs(part)) with(port, port, part);
+      if (may_have_end(ports_[port], part)) with(port, port, part);
     }
     for (std::size_t other = port + 1; other < ports_.size(); ++other) {
       if (ties_[other].partner != untied || has_free_twin_before(port, other)) continue;
@@ -120,8 +152,9 @@ class Search {
     }
   }
 
-  // Whether a tail by such an end is no fixed pulley.
-  bool hangs(std::size_t part) const {
+  // A block's tail by a passive end would be a fixed pulley, and by a becket a tendon holds on.
+  bool may_have_end(const Port& port, std::size_t part) const {
+    if (port.kind != PortKind::tail) return port.kind != PortKind::becket;
     const std::size_t variant = part / kinds_.ends;
     return part % kinds_.ends < kinds_.motor_ends || variant > kinds_.passive_beside;
   }
@@ -140,9 +173,16 @@ class Search {
 
   std::size_t ways_to_join(const Port& a, const Port& b) const {
     if (a.kind == PortKind::strand && b.kind == PortKind::strand) return kinds_.joins;
+    if (a.kind == PortKind::becket) return 0;
+    if (b.kind == PortKind::becket) return a.kind == PortKind::strand ? 1 : 0;
     if (a.kind == PortKind::tail || b.kind == PortKind::tail) return 1 + kinds_.beside;
     if (a.kind != b.kind) return 1;
     return kinds_.series && a.owner != b.owner ? 1 + kinds_.joins : 0;  // of two passes
+  }
+
+  // Of the two strands of a finger, or sides of a pass.
+  bool is_second(std::size_t port) const {
+    return port > 0 && ports_[port].kind != PortKind::tail && ports_[port] == ports_[port - 1];
   }
 
   bool is_free(std::size_t port, std::size_t current) const {
@@ -160,13 +200,11 @@ class Search {
   // The two strands of a finger, the sides of a pass, identical fingers and blocks are alike as
   // long as nothing is tied to them, so that the first of them stands for all. It saves time only.
   bool has_free_twin_before(std::size_t current, std::size_t port) const {
-    const auto [kind, owner] = ports_[port];
-    if (kind != PortKind::tail && ports_[port - 1].kind == kind &&
-        ports_[port - 1].owner == owner && is_free(port - 1, current)) {
-      return true;
-    }
+    const auto [kind, owner, pass] = ports_[port];
+    if (is_second(port) && is_free(port - 1, current)) return true;
     const bool is_finger = kind == PortKind::strand;
     if (!is_finger && owner == bars_) return false;
+    if (!is_finger && owner > 0 && sheaves_[owner] != sheaves_[owner - 1]) return false;
     if (owner == 0 || (is_finger && (!identical_ || tip_[owner] != tip_[owner - 1]))) return false;
     return is_all_free(kind, owner, current) && is_all_free(kind, owner - 1, current);
   }
@@ -183,10 +221,7 @@ class Search {
     };
     for (std::size_t p = 0; p < ports_.size(); ++p) {
       unite(p, ties_[p].partner);
-      if (p > 0 && ports_[p].kind != PortKind::tail && ports_[p].kind == ports_[p - 1].kind &&
-          ports_[p].owner == ports_[p - 1].owner) {
-        unite(p, p - 1);
-      }
+      if (is_second(p)) unite(p, p - 1);
     }
     return tendon;
   }
@@ -199,12 +234,12 @@ class Search {
     Passes passes(ports_.size());  // by tendon
     std::vector<std::size_t> above(blocks_);
     for (std::size_t p = 0; p < ports_.size(); ++p) {
-      const auto [kind, owner] = ports_[p];
+      const auto [kind, owner, pass] = ports_[p];
       if (kind == PortKind::tail) above[owner] = tendon[p];
-      if (kind == PortKind::side &&
-          (p == 0 || !are_both(kind, p - 1, p) || ports_[p - 1].owner != owner)) {
-        passes[tendon[p]].push_back(owner);
-      }
+      if (kind == PortKind::side && !is_second(p)) passes[tendon[p]].push_back(owner);
+    }
+    for (std::size_t t = 0; t < ports_.size() && (kinds_.becketed || kinds_.doubled); ++t) {
+      if (!are_sheaves_in_order(t, tendon, passes[t])) return false;
     }
     std::vector<std::size_t> tree(ports_.size());  // by tendon
     std::iota(tree.begin(), tree.end(), std::size_t{0});
@@ -229,6 +264,35 @@ class Search {
     return std::adjacent_find(of_trees.begin(), of_trees.end()) == of_trees.end();
   }
 
+  // A becket holds a tendon that passes its block. Of a block that is passed twice both passes are
+  // on one open tendon, which is more than ends on one side at least. Each block is left once.
+  bool are_sheaves_in_order(std::size_t t, const std::vector<std::size_t>& tendon,
+                            std::vector<std::size_t>& passed) const {
+    std::size_t ends = 0;
+    std::vector<std::size_t> bare_sides(blocks_, 0);
+    for (std::size_t p = 0; p < ports_.size(); ++p) {
+      if (tendon[p] != t) continue;
+      const auto [kind, owner, pass] = ports_[p];
+      if (kind == PortKind::becket && std::count(passed.begin(), passed.end(), owner) == 0) {
+        return false;
+      }
+      const bool is_end = ties_[p].partner == p;
+      if (is_end || kind == PortKind::becket || kind == PortKind::tail ||
+          (kind == PortKind::strand && is_anchored(owner))) {
+        ++ends;
+      }
+      if (kind == PortKind::side && is_end) ++bare_sides[owner];
+    }
+    std::sort(passed.begin(), passed.end());
+    const std::size_t all = passed.size();
+    passed.erase(std::unique(passed.begin(), passed.end()), passed.end());
+    std::size_t expected = 0;
+    for (const std::size_t block : passed) expected += sheaves_[block].passes;
+    if (all != expected) return false;
+    if (all == passed.size()) return true;
+    return passed.size() == 1 && ends == 2 && bare_sides[passed[0]] < 2;
+  }
+
   bool carries_more_than_ends(std::size_t t, const std::vector<std::size_t>& tendon) const {
     for (std::size_t p = 0; p < ports_.size(); ++p) {
       if (tendon[p] == t && ports_[p].kind != PortKind::side) return true;
@@ -242,7 +306,7 @@ class Search {
     std::size_t ends = 0;
     std::size_t side_by_side = 0;
     for (std::size_t p = 0; p < ports_.size(); ++p) {
-      const auto [kind, owner] = ports_[p];
+      const auto [kind, owner, pass] = ports_[p];
       const std::size_t partner = ties_[p].partner;
       if (kind == PortKind::tail && partner == p &&
           std::count(passes[t].begin(), passes[t].end(), owner) > 0) {
@@ -258,9 +322,11 @@ class Search {
                        [&](std::size_t block) { return passes[above[block]].empty(); });
   }
 
-  // Colours: strand, side, tail, block, ends, joins, joins beside ends, carriages, tips. A bar's
-  // tail has the block's colour.
-  std::size_t first_join() const { return 4 + kinds_.ends; }
+  // Colours: strand, side, tail, becket, block, ends, joins, joins beside ends, carriages, tips. A
+  // bar's tail has the block's colour.
+  static constexpr std::size_t block_colour = 4;
+  static constexpr std::size_t first_end = 5;
+  std::size_t first_join() const { return first_end + kinds_.ends; }
   std::size_t first_beside() const { return first_join() + kinds_.joins; }
   std::size_t first_carriage() const { return first_beside() + kinds_.beside; }
   std::size_t first_tip() const { return first_carriage() + kinds_.motors; }
@@ -271,7 +337,7 @@ class Search {
     for (Vertex v = 0; v < boost::num_vertices(graph); ++v) {
       if (!graph[v].motor) continue;
       std::size_t& colour = graph[v].colour;
-      const std::size_t first = colour < first_join()     ? 4
+      const std::size_t first = colour < first_join()     ? first_end
                                 : colour < first_beside() ? first_join() + kinds_.passive_joins
                                                           : first_beside() + kinds_.passive_beside;
       const std::size_t motor = (colour - first) % kinds_.motors;
@@ -292,10 +358,11 @@ class Search {
     Graph graph;
     for (const Port& port : ports_) {
       const bool is_pivot = port.kind == PortKind::tail && port.owner < bars_;
-      add_part({is_pivot ? 3 : static_cast<std::size_t>(port.kind), false}, graph);
+      add_part({is_pivot ? block_colour : static_cast<std::size_t>(port.kind), false}, graph);
     }
     std::vector<Vertex> blocks;
-    for (std::size_t b = 0; b < blocks_; ++b) blocks.push_back(add_part({3, false}, graph));
+    for (std::size_t b = 0; b < blocks_; ++b)
+      blocks.push_back(add_part({block_colour, false}, graph));
     std::vector<Vertex> tips;
     for (std::size_t f = 0; f < tip_.size(); ++f) {
       tips.push_back(
@@ -304,6 +371,7 @@ class Search {
     for (std::size_t p = 0; p < ports_.size(); ++p) {
       const bool of_finger = ports_[p].kind == PortKind::strand;
       boost::add_edge(p, (of_finger ? tips : blocks)[ports_[p].owner], graph);
+      if (!of_finger && is_second(p)) boost::add_edge(p, p - 1, graph);
       add_tie(p, graph);
     }
     if (add_carriages(graph)) classes_.add(std::move(graph));
@@ -314,7 +382,7 @@ class Search {
     if (partner < p) return;
     if (partner == p) {
       const std::size_t end = part % kinds_.ends;
-      const Vertex tied = add_part({4 + end, end < kinds_.motor_ends}, graph);
+      const Vertex tied = add_part({first_end + end, end < kinds_.motor_ends}, graph);
       add_beside(p, tied, part / kinds_.ends, graph);
     } else if (are_both(PortKind::strand, p, partner)) {
       add_join(p, partner, part, graph);
@@ -346,6 +414,7 @@ class Search {
   std::size_t bars_ = 0;  // the first blocks
   bool identical_;
   std::vector<std::size_t> tip_;  // kinds, by finger
+  std::vector<Sheaves> sheaves_;  // by block
   std::vector<Port> ports_;
   std::vector<Tie> ties_;
   GraphClasses classes_;

@@ -3,8 +3,11 @@
 // tip:
 //
 //   half-walk  H = (x z + t z E) / (1 − j t z) + E
-//   block      C = w y [ (H² + swap(H)) / 2 − pairs of bare M, F + loops through the pass ],
-//              w = 2 where it may be a bar
+//   side       S = H + t z / (1 − j t z) where there are beckets
+//   block      C = y [ (S² + swap(S)) / 2 − pairs of bare M, F + loops through the pass ]
+//              and where it may be a bar as much with H in place of S, and where it may be passed
+//              twice y times (S² t z / (1 − j t z) + swap(S) palindromes) / 2, but for bare M, F
+//              on both sides
 //   root       M C + t z (E² + swap(E)) / 2 + x z E + linked (C² + swap(C)) / 2
 //                  + ( A² j / (1 − j t z) + swap(A) palindromes ) / 2 + loops,   A = x z + t z E
 //   series     Σ_{q>1} ( H² (y U)^q g^(q−1) + palindromes ) / 2,   g = 1 + j beads between passes,
@@ -131,6 +134,8 @@ struct Kinds {
   bool linked;
   bool series;
   bool barred;
+  bool becketed;
+  bool doubled;
 };
 
 // 1 / (1 − j t z): fingers with a join behind each.
@@ -141,17 +146,32 @@ Series chains(const Ring& ring, const Kinds& kinds) {
   return sum;
 }
 
-// Walks of m fingers that leave a pass and come back to it, up to reversal.
-Series loops_through_pass(const Ring& ring, const Kinds& kinds) {
+// Strings of fingers, from finger to finger.
+Series strings(const Ring& ring, const Kinds& kinds) {
+  return kinds.tips * (Series(ring, 1, 1, 0) * chains(ring, kinds));
+}
+
+// … that read the same both ways.
+Series same_strings(const Ring& ring, const Kinds& kinds) {
   Series sum(ring);
   for (std::size_t m = 1; m <= ring.fingers; ++m) {
-    const Series all(ring, narrow(Wide{power(kinds.tips, m)} * power(kinds.joins, m - 1)), m, 0);
-    const std::int64_t same = power(kinds.tips, (m + 1) / 2) * power(kinds.joins, m / 2);
-    Series palindromes(ring);
-    if (ring.identical || m == 1) palindromes.at(m, 0) = same;
-    sum = sum + half(all + palindromes);
+    if (!ring.identical && m > 1) break;
+    sum.at(m, 0) = power(kinds.tips, (m + 1) / 2) * power(kinds.joins, m / 2);
   }
   return sum;
+}
+
+// Blocks that a tendon with such sides passes once, or whose loop comes back to it.
+Series passed_once(const Ring& ring, const Kinds& kinds, const Series& side) {
+  const Series bare(ring, -kinds.ends * (kinds.ends + 1) / 2, 0, 0);
+  return half(side * side + swap(side)) + bare +
+         half(strings(ring, kinds) + same_strings(ring, kinds));
+}
+
+Series passed_twice(const Ring& ring, const Kinds& kinds, const Series& side) {
+  const Series bare(ring, kinds.ends, 0, 0);
+  return half((side * side + (-1) * bare * bare) * strings(ring, kinds) +
+              (swap(side) + (-1) * bare) * same_strings(ring, kinds));
 }
 
 Series blocks(const Ring& ring, const Kinds& kinds) {
@@ -161,9 +181,11 @@ Series blocks(const Ring& ring, const Kinds& kinds) {
   for (std::size_t k = 0; k <= ring.blocks; ++k) {  // each round gets one power of y right
     const Series end = Series(ring, kinds.ends, 0, 0) + below;
     const Series walk = (kinds.anchors * z + kinds.tips * (z * end)) * chain + end;
-    const Series bare(ring, -kinds.ends * (kinds.ends + 1) / 2, 0, 0);
-    below = Series(ring, kinds.barred ? 2 : 1, 0, 1) *
-            (half(walk * walk + swap(walk)) + bare + loops_through_pass(ring, kinds));
+    const Series side = kinds.becketed ? walk + strings(ring, kinds) : walk;
+    Series all = passed_once(ring, kinds, side);
+    if (kinds.barred) all = all + passed_once(ring, kinds, walk);
+    if (kinds.doubled) all = all + passed_twice(ring, kinds, side);
+    below = Series(ring, 1, 0, 1) * all;
   }
   return below;
 }
@@ -288,8 +310,9 @@ RoutingCounts count_trees(const CountedTreeParts& counted, int fingers, int bloc
   const int joins = parts.passive_joins + parts.motor_joins;
   const int ends = parts.motor_ends + parts.fixed_ends;
   const auto trees_with = [&](int with_joins, int motor_ends, int with_ends) {
-    return series::trees(ring, {parts.tube_like_tips, with_joins, motor_ends, with_ends, anchors,
-                                counted.linked, counted.series, counted.barred});
+    return series::trees(
+        ring, {parts.tube_like_tips, with_joins, motor_ends, with_ends, anchors, counted.linked,
+               counted.series, counted.barred, counted.becketed, counted.doubled});
   };
   const auto all = trees_with(joins, parts.motor_ends, ends);
   const auto passive = trees_with(parts.passive_joins, 0, parts.fixed_ends);

@@ -24,6 +24,8 @@ struct CountedTreeParts {
   bool linked = false;    // two tails may be tied to each other
   bool series = false;    // a root may pass several blocks
   bool barred = false;    // all blocks but those in series may be bars
+  bool becketed = false;  // a tendon that passes one block may be tied to it
+  bool doubled = false;   // … may pass it twice
   // Brute force only:
   int motors = 1;          // of several, each pulls something
   int passive_beside = 0;  // kinds of joins that may stand beside an end or a tail

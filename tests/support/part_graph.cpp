@@ -15,31 +15,30 @@ std::size_t mixed(std::size_t seed, std::size_t value) {
   return seed * 0xff51afd7ed558ccdU;
 }
 
-std::size_t hash_of_sorted(std::vector<std::size_t> values, std::size_t seed) {
+std::size_t hash_of_sorted(std::vector<std::size_t>& values, std::size_t seed) {
   std::sort(values.begin(), values.end());
   for (const std::size_t value : values) seed = mixed(seed, value);
   return seed;
-}
-
-std::vector<std::size_t> refined(const Graph& graph, const std::vector<std::size_t>& colours) {
-  std::vector<std::size_t> result;
-  for (Vertex v = 0; v < boost::num_vertices(graph); ++v) {
-    std::vector<std::size_t> neighbours;
-    for (const Vertex w : boost::make_iterator_range(boost::adjacent_vertices(v, graph)))
-      neighbours.push_back(colours[w]);
-    result.push_back(hash_of_sorted(std::move(neighbours), colours[v]));
-  }
-  return result;
 }
 
 // A Weisfeiler-Leman hash: equal for isomorphic graphs, since it never looks at vertex numbers.
 // Unequal graphs may share it (or collide), so it only chooses the bucket; isomorphism decides.
 std::size_t bucket_of(const Graph& graph) {
   std::vector<std::size_t> colours;
+  std::vector<std::size_t> refined(boost::num_vertices(graph));
+  std::vector<std::size_t> neighbours;
   for (Vertex v = 0; v < boost::num_vertices(graph); ++v) colours.push_back(graph[v].colour);
   constexpr int rounds = 6;  // more changes no count, fewer only fills buckets more
-  for (int round = 0; round < rounds; ++round) colours = refined(graph, colours);
-  return hash_of_sorted(std::move(colours), 0);
+  for (int round = 0; round < rounds; ++round) {
+    for (Vertex v = 0; v < boost::num_vertices(graph); ++v) {
+      neighbours.clear();
+      for (const Vertex w : boost::make_iterator_range(boost::adjacent_vertices(v, graph)))
+        neighbours.push_back(colours[w]);
+      refined[v] = hash_of_sorted(neighbours, colours[v]);
+    }
+    colours.swap(refined);
+  }
+  return hash_of_sorted(colours, 0);
 }
 
 struct ColourOf {
