@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -169,6 +170,14 @@ class LeversOf {
         Site own = site;
         own.held = is_held;
         add_at_contacts(own, Breadth::part);
+      }
+      std::map<std::string, int> of_routing;
+      for (const auto& [word, number] : numbered) ++of_routing[word];
+      for (const auto& [word, count] : of_routing) {
+        if (of_routing.size() < 2 || count < 2) continue;
+        Site own = site;
+        own.routing = word;
+        add_at_contacts(own, Breadth::one);
       }
       for (const auto& [word, number] : numbered) {
         Site own = site;

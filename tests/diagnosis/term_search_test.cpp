@@ -88,6 +88,47 @@ TEST(TermSearch, FindsTheSiteTheCovariateAndTheSizeOfALaw) {
   EXPECT_LT(result.held_out->rms_after_N, result.held_out->rms_before_N);
 }
 
+// With finger 1 held, the tendons of both routings run towards their first end at M, and each
+// tension follows from the one before it. The motor pulls M-1-P-2-F at three segments.
+std::string readings_of_two_routings(double more_at_sheaths) {
+  std::string text = "run,routing,held,motor_tension_N,T1_N,T2_N,T3_N,T4_N\n";
+  std::uint64_t drawn = 0;
+  const auto add = [&](int run, const char* word, double motor_N, std::array<double, 4> tensions) {
+    text += fmt::format("r{},{},1,{}", run, word, motor_N);
+    for (const double tension_N : tensions) {
+      text += fmt::format(",{:.5f}", tension_N * (1 + 0.01 * normal(1, 5, drawn++)));
+    }
+    text += "\n";
+  };
+  const double tube = std::exp(-phi_tube);
+  for (int run = 0; run < 12; ++run) {
+    for (const double motor_N : {8.0, 12.0, 18.0, 27.0, 35.0, 50.0}) {
+      if (run % 2 == 0) {
+        const double first = motor_N * std::exp(-phi_sheath);
+        add(run, "M-1-T-2-F", motor_N,
+            {first, first * tube, first * tube * tube, first * std::pow(tube, 3)});
+      } else {
+        const double sheath = std::exp(-phi_sheath * (1 + more_at_sheaths));
+        const double pulley = std::exp(-0.001 * std::numbers::pi);
+        const double before_pulley = sheath * tube * sheath;
+        const double at_end = motor_N / (1 + before_pulley * (1 + pulley));
+        const double third = at_end * before_pulley * pulley * sheath;
+        add(run, "M-1-P-2-F", motor_N,
+            {at_end * sheath, at_end * sheath * tube, third, third * tube});
+      }
+    }
+  }
+  return text;
+}
+
+TEST(TermSearch, FindsTheSheathsOfOneRouting) {
+  EXPECT_TRUE(diagnosed(readings_of_two_routings(0)).causes.empty());
+  const DiagnosisResult result = diagnosed(readings_of_two_routings(0.25));
+  ASSERT_EQ(result.causes.size(), 1U);
+  EXPECT_EQ(result.causes.front().name, "law[exponent of sheath of M-1-P-2-F]");
+  EXPECT_NEAR(result.causes.front().effect.values.front(), 0.25, 0.02);
+}
+
 // A sensor reads less where it is moist. Each step is between two of 72 humidities.
 // The gain of T3 in the grammar, from a wrong value and a wrong crossing on.
 Effect suspected_gain(const std::string& column) {
