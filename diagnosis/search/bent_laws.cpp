@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 #include <vector>
 
 #include "diagnosis/search/law_families.hpp"
@@ -9,6 +10,24 @@ namespace {
 
 constexpr std::size_t most_bends = 8;
 constexpr std::size_t most_knots = 12;
+
+// A step that parts one run from all others says no more than that this run stands apart, which is
+// screened by itself (part_laws.cpp).
+bool parts_one_run(const LawColumns& columns, std::size_t l, const RowLaw& step) {
+  const RowCovariate& x = columns.covariate(columns.lever(l), step.x);
+  if (!columns.is_whole(l) || step.form != Form::step || step.x == columns.load()) return false;
+  const Dataset& all = *columns.table().all;
+  std::set<std::size_t> below, above;
+  for (std::size_t r = 0; r < all.rows.size(); ++r) {
+    const bool is_above = x.by_row[static_cast<Eigen::Index>(r)] > step.values[1];
+    (is_above ? above : below).insert(all.data->readings[all.rows[r].reading].run);
+  }
+  const auto is_single = [](const std::set<std::size_t>& one, const std::set<std::size_t>& other) {
+    return one.size() == 1 && !other.contains(*one.begin());
+  };
+  return (is_single(below, above) || is_single(above, below)) &&
+         below.size() + above.size() >= few_runs;
+}
 
 // Returns which of the laws gains most.
 std::size_t keep_bent(const LawColumns& columns, std::size_t l, const std::vector<RowLaw>& laws,
@@ -23,6 +42,7 @@ std::size_t keep_bent(const LawColumns& columns, std::size_t l, const std::vecto
       greatest = bent.gain;
       best = j;
     }
+    if (parts_one_run(columns, l, laws[j])) continue;
     found.keep(found.law(l, laws[j]), bent.gain, {bent.size[0], laws[j].values[1]});
   }
   return best;

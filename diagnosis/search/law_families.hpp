@@ -1,6 +1,7 @@
 // Families of laws, each screened at all levers.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "diagnosis/search/found_laws.hpp"
@@ -24,6 +25,9 @@ void screen_bent(const LawColumns& columns, std::vector<Bend> bends, FoundLaws& 
 
 // Screens sine and cosine of each period over each covariate.
 void screen_waves(const LawColumns& columns, FoundLaws& found);
+
+// Of fewer runs none stands apart from the others.
+inline constexpr std::size_t few_runs = 4;
 
 // Screens what one run or one group does by itself.
 void screen_parts(const LawColumns& columns, FoundLaws& found);

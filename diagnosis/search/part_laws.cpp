@@ -10,7 +10,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr std::size_t few_runs = 4;
 constexpr std::size_t few_groups = 2;
 
 // Cells of each run or each group, by its name.
