@@ -55,7 +55,7 @@ TEST(HandObjectives, AreTheMostThatAGraspAsksForAndTheLeastThatAFingerGets) {
   const GraspSet grasps = parse_grasps("none:3/1:1", 2);
   for (const WeightedGrasp& grasp : grasps) {
     const GripDemand demand =
-        grip_demand(*hand(hardware), net, tensions(net, parts, grasp.grasp), grasp.grasp);
+        grip_demand(*hand(hardware), net, parts, tensions(net, parts, grasp.grasp), grasp.grasp);
     most = std::max(most, demand.motor_force_N);
     least = std::min(least, demand.force_per_motor_N);
     mean += grasp.weight * demand.force_per_motor_N / 4;
