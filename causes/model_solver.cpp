@@ -79,6 +79,7 @@ void ModelSolver::set_routing(const std::string& word, const Network& network,
 void ModelSolver::set_friction(const Mechanics& plain) {
   plain_ = plain;
   if (seized_.network.split) {
+    restored_mechanics_ = plain;
     gather(plain_.length, seized_.segment_from);
     if (!plain_.spools.empty()) gather(plain_.spools, seized_.segment_from);
     if (!plain_.slack_mm.empty()) gather(plain_.slack_mm, seized_.segment_from);
@@ -98,6 +99,17 @@ double ModelSolver::exponent(std::size_t contact, double high_N, Direction direc
     phi = effect->cause->exponent(phi, load, conditions, *effect);
   }
   return std::clamp(phi, 0.0, max_exponent);
+}
+
+const Mechanics& ModelSolver::solved() {
+  if (!seized_.network.split) return mechanics_;
+  for (std::size_t k = 0; k < mechanics_.phi.size(); ++k) {
+    const std::size_t from = seized_.contact_from[k];
+    const bool is_seized = left_[k] == right_[k];
+    restored_mechanics_.decay[from] = is_seized ? 0 : mechanics_.decay[k];
+    if (!is_seized) restored_mechanics_.phi[from] = mechanics_.phi[k];
+  }
+  return restored_mechanics_;
 }
 
 std::vector<SolvedContact> ModelSolver::contacts() const {

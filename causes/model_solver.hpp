@@ -65,6 +65,10 @@ class ModelSolver {
   const Network& network() const { return seized_.network; }
   const Mechanics& plain() const { return plain_; }
 
+  // The routing's mechanics with the exponents of the last solve, in the order of its own network.
+  // A seized contact has a decay of 0: nothing goes past it.
+  const Mechanics& solved();
+
   // True if the last solve converged.
   bool converged() const { return converged_; }
 
@@ -114,6 +118,7 @@ class ModelSolver {
   TensionSolver solver_;
   TensionState state_;
   TensionState restored_;
+  Mechanics restored_mechanics_;
   bool converged_ = true;
   bool has_motion_ = false;  // true if the state has the motion of this grasp and direction
   bool is_settled_ = false;  // by Newton's method, whose state is that of the last load

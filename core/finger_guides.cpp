@@ -1,35 +1,9 @@
 #include "core/finger_guides.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
 
 namespace reeve::core {
-namespace {
-
-// Length per travel by which the tendon slides round each fingertip, from its left strand to its
-// right one.
-struct TipSlip {
-  std::size_t left = 0;
-  std::size_t right = 0;
-  double slip = 0;
-};
-
-std::array<TipSlip, max_fingers + 1> tip_slips(const Network& network, const TensionState& state) {
-  std::array<TipSlip, max_fingers + 1> slips{};
-  for (const TendonSpan& tendon : network.tendons) {
-    for (std::size_t k = 0; k < tendon.contacts; ++k) {
-      const Contact& contact = network.contacts[tendon.first_contact + k];
-      if (contact.place != ContactPlace::tip) continue;
-      const ContactEnds ends = ends_of(tendon, k);
-      slips[static_cast<std::size_t>(contact.finger)] = {ends.left, ends.right,
-                                                         state.slip[tendon.first_contact + k]};
-    }
-  }
-  return slips;
-}
-
-}  // namespace
-
 const char* guide_name(JointGuide guide) {
   constexpr const char* names[] = {"", "pulley", "tube"};
   return names[static_cast<std::size_t>(guide)];
@@ -75,21 +49,36 @@ double held_exponent(const std::vector<FingerJoint>& joints) {
   return sum;
 }
 
-FingerPullArray finger_pulls_of(const Network& network, const TensionState& state) {
-  // The slip of a symmetrical loop misses 0 by a rounding error.
-  constexpr double rounding = 1e-9;
-  const auto slips = tip_slips(network, state);
+double FingerPull::behind_guide_N(double decay) const {
+  if (guide_factor != 1) decay = std::pow(decay, guide_factor);
+  if (decay == 1) return sum_N();
+  const double round_tip = tip_decay / decay;
+  return std::max(left_N * decay, right_N * round_tip) +
+         std::max(right_N * decay, left_N * round_tip);
+}
+
+FingerPull FingerPull::in_posture(double decay_ratio) const {
+  FingerPull pull = *this;
+  if (decay_ratio != 1) pull.tip_decay *= std::pow(decay_ratio, 2 * guide_factor);
+  return pull;
+}
+
+FingerPullArray finger_pulls_of(const Network& network, const Mechanics& mechanics,
+                                const TensionState& state) {
   FingerPullArray pulls{};
   for (std::size_t i = 0; i < network.segments.size(); ++i) {
     const Segment& segment = network.segments[i];
     if (segment.kind != SegmentKind::strand) continue;
-    const auto f = static_cast<std::size_t>(segment.finger);
-    const TipSlip& tip = slips[f];
-    const bool has_tip = tip.left != tip.right;
-    const double leaves = !has_tip ? 0 : i == tip.left ? tip.slip : i == tip.right ? -tip.slip : 0;
-    const double given = state.closing[f - 1];
-    const bool outward = leaves > rounding && given - leaves <= rounding;
-    (outward ? pulls[f].outward_N : pulls[f].inward_N) += state.tension[i];
+    FingerPull& pull = pulls[static_cast<std::size_t>(segment.finger)];
+    (segment.number % 2 == 1 ? pull.left_N : pull.right_N) = state.tension[i];
+  }
+  for (std::size_t k = 0; k < network.contacts.size(); ++k) {
+    const Contact& contact = network.contacts[k];
+    if (contact.place != ContactPlace::tip) continue;
+    FingerPull& pull = pulls[static_cast<std::size_t>(contact.finger)];
+    pull.tip_decay = mechanics.decay[k];
+    const double plain = mechanics.guided_phi.empty() ? 0 : mechanics.guided_phi[k];
+    if (plain > 0) pull.guide_factor = mechanics.phi[k] / plain;
   }
   return pulls;
 }

@@ -5,18 +5,33 @@
 //
 //   phi_j = mu_j (w_j + q_j)
 //
-// and joint j feels the tension behind its guide. Along a strand with the tension T at the palm
+// The tension solve puts all guides of a finger into the contact at its tip: Phi = phi_tip + 2 S_n,
+// S_j = phi_1 + … + phi_j, as each strand passes all n guides. From the tensions T_l and T_r of
+// both strands at the palm, e^{−Phi} <= T_l / T_r <= e^{Phi}, follow those behind guide j, which
+// joint j feels:
 //
-//   sliding towards the palm     T_j = T e^{−S_j},   S_j = phi_1 + … + phi_j
-//   sliding towards the tip      T_j = T e^{+S_j}
+//   T_l,j = max(T_l e^{−S_j}, T_r e^{−(Phi − S_j)})      and T_r,j likewise, l and r exchanged
 //
-// so that the distal joint gets less than the proximal one where the palm draws the tendon in. A
-// tendon that goes in along one strand and comes out along the other passes each guide twice: this
-// adds 2 S_n to the exponent between both strands, that of the tip contact (mechanics.hpp).
+// Each stretch carries the greater of what comes past the contacts from one palm end and from the
+// other. Where the tendon slides round the tip from l to r, T_l = T_r e^{−Phi}: then T_r,j =
+// T_r e^{−S_j} falls towards the tip and T_l,j = T_l e^{+S_j} rises towards it. Where it does not
+// slide, in a held finger, the same law tells how far the tighter strand loads the other one: round
+// the tip and up to the palm if T_l / T_r is at an end of the cone, up to some contact otherwise.
+// If both palm ends are pulled alike, each strand is loaded from the palm.
+//
+// Derivation: no length is imposed between both palm ends of a held finger, so that in u = ln T the
+// potential of tension.hpp is Σ L_i e^{u_i} over the stretches there. Its minimum over the cones
+// |u_l − u_r| <= phi_k is the least u that they allow: the greater of both falling lines. It keeps
+// all cones, as the greater of two functions does that change by at most phi_k at contact k; and at
+// the palm it is T_l and T_r themselves.
+//
+// Where contacts scatter, or a model changes the exponent of the tip, tip and guides change by the
+// same factor. At the end of the range of a finger that closes, S_j and Phi are those of that
+// posture.
 //
 // Assumptions: Coulomb friction; both strands pass guides of equal wrap; a strand slides one way at
-// all of its guides, which the tip contact's slip tells; a strand that does not move is loaded from
-// the palm. The pulls of a grasp are those of the posture that holds.
+// all of its guides; the finger's own stretches are short beside the strands. The pulls of a grasp
+// at the palm are those of the posture that holds.
 // Source: capstan law (tension/tension.hpp), guide by guide; wrap = bend of the joint, as for
 // tendon sheaths: M. Kaneko, T. Yamashita, K. Tanie, Basic considerations on transmission
 // characteristics for tendon drive robots, ICAR, 1991.
@@ -27,6 +42,7 @@
 #include <vector>
 
 #include "core/hardware.hpp"
+#include "core/mechanics.hpp"
 #include "core/network.hpp"
 #include "core/tension/tension.hpp"
 
@@ -53,19 +69,25 @@ double guide_exponent(const FingerJoint& joint, double flexion_rad);
 double closed_exponent(const std::vector<FingerJoint>& joints);
 double held_exponent(const std::vector<FingerJoint>& joints);
 
-// Tensions of a finger's strands at the palm: the sum of those that slide towards the palm, and of
-// those that slide towards the tip.
+// Tensions of a finger's strands at the palm.
 struct FingerPull {
-  double inward_N = 0;
-  double outward_N = 0;
+  double left_N = 0;   // T(2f−1)
+  double right_N = 0;  // T(2f)
+  // e^{−Phi} between both in the posture that holds; 0 if no contact joins them.
+  double tip_decay = 0;
+  double guide_factor = 1;  // S_j over that of the hardware
 
-  double sum_N() const { return inward_N + outward_N; }
-  // With `decay` = e^{−S_j}.
-  double behind_guide_N(double decay) const { return inward_N * decay + outward_N / decay; }
+  double sum_N() const { return left_N + right_N; }
+  // Returns T_l,j + T_r,j; `decay` = e^{−S_j} of the hardware.
+  double behind_guide_N(double decay) const;
+  // The same pull where `decay_ratio` = e^{−(S_n' − S_n)}, S_n' that of another posture.
+  FingerPull in_posture(double decay_ratio) const;
 };
 
-// Pulls of fingers 1 … n at their numbers, while the carriage pulls.
+// Pulls of fingers 1 … n at their numbers, while the carriage pulls. `mechanics` holds the
+// exponents that the tensions were solved with.
 using FingerPullArray = std::array<FingerPull, max_fingers + 1>;
-FingerPullArray finger_pulls_of(const Network& network, const TensionState& state);
+FingerPullArray finger_pulls_of(const Network& network, const Mechanics& mechanics,
+                                const TensionState& state);
 
 }  // namespace reeve::core

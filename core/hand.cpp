@@ -42,6 +42,12 @@ HandFinger finger_of(const FingerParts& parts, const Hardware& hardware) {
   return finger;
 }
 
+FingerPull closed_pull(const HandFinger& finger, const FingerPull& pull) {
+  if (!has_guides(finger.joints)) return pull;
+  const JointDemand& last = finger.demands.back();
+  return pull.in_posture(last.closed_decay / last.held_decay);
+}
+
 // A joint asks this of the motor: nothing where its need is met without any pull.
 double asked_force(double need_N, double pull_per_motor) {
   if (need_N <= 0) return 0;
@@ -109,8 +115,9 @@ double force_without_springs(const HandFinger& finger, const FingerPull& pull) {
 }
 
 bool closes_springs(const HandFinger& finger, const FingerPull& per_motor, double motor_N) {
+  const FingerPull closed = closed_pull(finger, per_motor);
   return std::all_of(finger.demands.begin(), finger.demands.end(), [&](const JointDemand& joint) {
-    return per_motor.behind_guide_N(joint.closed_decay) * motor_N >= joint.close_N;
+    return closed.behind_guide_N(joint.closed_decay) * motor_N >= joint.close_N;
   });
 }
 
@@ -146,20 +153,20 @@ double spring_energy(const HandFinger& finger, double share) {
 }
 
 double motor_force(const HandFinger& finger, bool held, const FingerPull& pull_per_motor) {
+  const FingerPull closed = closed_pull(finger, pull_per_motor);
   double force = 0;
   for (const JointDemand& joint : finger.demands) {
     force =
         std::max(force, asked_force(joint.grip_N, pull_per_motor.behind_guide_N(joint.held_decay)));
     if (held) continue;
-    force = std::max(force,
-                     asked_force(joint.close_N, pull_per_motor.behind_guide_N(joint.closed_decay)));
+    force = std::max(force, asked_force(joint.close_N, closed.behind_guide_N(joint.closed_decay)));
   }
   return force;
 }
 
-GripDemand grip_demand(const Hand& hand, const Network& network, const TensionState& state,
-                       Grasp grasp) {
-  const FingerPullArray pulls = finger_pulls_of(network, state);
+GripDemand grip_demand(const Hand& hand, const Network& network, const Mechanics& mechanics,
+                       const TensionState& state, Grasp grasp) {
+  const FingerPullArray pulls = finger_pulls_of(network, mechanics, state);
   GripDemand demand{std::numeric_limits<double>::infinity(), 0, 1};
   for (int number = 1; number <= network.fingers; ++number) {
     const HandFinger& finger = hand.finger(number);

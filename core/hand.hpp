@@ -5,7 +5,7 @@
 //
 //   excursion          E = Σ_j r_j Δ_j, what each strand gives up over the whole range Δ_j
 //   pull               P = Σ T over the finger's strands, at the palm
-//   pull at a joint    P_j = Σ T e^{∓S_j}, behind its guide (finger_guides.hpp): P without guides
+//   pull at a joint    P_j = T_l,j + T_r,j, behind its guide (finger_guides.hpp): P without guides
 //   fingertip force    F = min_j (r_j P_j − tau_j) / h_j, and not below 0
 //   pull for a force   P_j = (h_j F + tau_j) / r_j: the same, solved for the pull at each joint
 //   pull to close      P_j = k_j (Δ_j − q0_j) / r_j: against the springs, to the end
@@ -105,8 +105,9 @@ struct GripDemand {
   double motor_force_N = 0;
   int weakest = 1;  // the finger that asks for it
 };
-GripDemand grip_demand(const Hand& hand, const Network& network, const TensionState& state,
-                       Grasp grasp);
+// `mechanics` holds the exponents that the tensions were solved with.
+GripDemand grip_demand(const Hand& hand, const Network& network, const Mechanics& mechanics,
+                       const TensionState& state, Grasp grasp);
 // Returns the motor force that one finger alone needs.
 double motor_force(const HandFinger& finger, bool held, const FingerPull& pull_per_motor);
 

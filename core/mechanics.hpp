@@ -28,6 +28,9 @@ struct Mechanics {
   // Spools of the segments: travel of a motor-side end over that of its carriage. Empty if all are
   // 1.
   std::vector<double> spools{};
+  // phi of the tips with the guides of their fingers, before contacts scatter and a model changes
+  // them. Empty if no finger has guides.
+  std::vector<double> guided_phi{};
   // Slack of tendons in mm, at the first motor-side segment of each, and the carriage travel D that
   // it is a part of. Empty if no tendon has any.
   std::vector<double> slack_mm{};

@@ -19,10 +19,10 @@ Mechanics without_friction(Mechanics mechanics) {
   return mechanics;
 }
 
-ShownHandGrasp shown_grasp(const Hand& hand, const Network& network, const TensionState& state,
-                           Grasp grasp) {
-  const GripDemand demand = grip_demand(hand, network, state, grasp);
-  const FingerPullArray pulls = finger_pulls_of(network, state);
+ShownHandGrasp shown_grasp(const Hand& hand, const Network& network, const Mechanics& mechanics,
+                           const TensionState& state, Grasp grasp) {
+  const GripDemand demand = grip_demand(hand, network, mechanics, state, grasp);
+  const FingerPullArray pulls = finger_pulls_of(network, mechanics, state);
   ShownHandGrasp shown{grasp, demand.motor_force_N, 0, demand.weakest, {}};
   for (int f = 1; f <= network.fingers; ++f) {
     const HandFinger& finger = hand.finger(f);
@@ -106,10 +106,11 @@ class HandStudy {
     ShownHand shown;
     shown.motor = hand_.motor;
     for (const WeightedGrasp& weighted : grasps) {
-      shown.grasps.push_back(shown_grasp(hand_, network_, pulled(weighted.grasp), weighted.grasp));
+      const TensionState& state = pulled(weighted.grasp);
+      shown.grasps.push_back(shown_grasp(hand_, network_, solver_.solved(), state, weighted.grasp));
       const TensionState ideal = tensions(network_, frictionless_, weighted.grasp);
       shown.grasps.back().frictionless_N =
-          grip_demand(ideal_hand_, network_, ideal, weighted.grasp).motor_force_N;
+          grip_demand(ideal_hand_, network_, frictionless_, ideal, weighted.grasp).motor_force_N;
     }
     add_reach(grasps, shown);
     add_greatest_force(hand_, shown.grasps, shown.demand);
@@ -124,13 +125,18 @@ class HandStudy {
     return require_in_range(solver_.solve(grasp, Direction::pull, model_.conditions), grasp);
   }
 
+  FingerPullArray pulls_in(Grasp grasp) {
+    const TensionState& state = pulled(grasp);
+    return finger_pulls_of(network_, solver_.solved(), state);
+  }
+
   void add_reach(const GraspSet& grasps, ShownHand& shown) {
     if (const auto force = hand_.motor.force_N) {
       ForceReach& reach = shown.force_reach.emplace();
       reach.motor_N = *force;
       reach.share = std::numeric_limits<double>::infinity();
       for (const WeightedGrasp& weighted : grasps) {
-        const FingerPullArray pulls = finger_pulls_of(network_, pulled(weighted.grasp));
+        const FingerPullArray pulls = pulls_in(weighted.grasp);
         add_grasp(hand_, network_.fingers, weighted.grasp, pulls, reach);
       }
     }
@@ -165,7 +171,7 @@ class HandStudy {
           before_mm += travel_mm;
           if (*std::ranges::max_element(closings) == 0) return;
           solver_.set_routing(word_, network_, there);
-          const FingerPullArray pulls = finger_pulls_of(network_, pulled(at_end));
+          const FingerPullArray pulls = pulls_in(at_end);
           for (std::size_t f = 0; f < closings.size(); ++f) {
             const HandFinger& finger = hand_.finger(static_cast<int>(f) + 1);
             to_fingers += working_pull(finger, pulls[f + 1]) * closings[f] * travel_mm / mm_in_m;

@@ -85,6 +85,10 @@ const TensionState& DesignEvaluator::solve(Grasp grasp, Direction direction) {
   return state;
 }
 
+const Mechanics& DesignEvaluator::solved_mechanics() {
+  return model_solver_ ? model_solver_->solved() : mechanics_;
+}
+
 GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const EvaluationScope& scope) {
   GraspOutcome outcome;
   outcome.weight = grasp.weight;
@@ -95,7 +99,7 @@ GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const Evaluat
   if (scope.indicators)
     outcome.indicators = indicators(network_, pulled, pulls, given_up_equivalent_);
   if (evaluates_hand(scope)) {
-    outcome.grip = grip_demand(*hand_, network_, pulled, grasp.grasp);
+    outcome.grip = grip_demand(*hand_, network_, solved_mechanics(), pulled, grasp.grasp);
   }
   if (!scope.release) return outcome;
   const TensionState& released = solve(grasp.grasp, Direction::release);

@@ -84,6 +84,7 @@ class DesignEvaluator {
   const Mechanics& moving_mechanics() const;
   GraspOutcome in_grasp(const WeightedGrasp& grasp, const EvaluationScope& scope);
   const TensionState& solve(Grasp grasp, Direction direction);
+  const Mechanics& solved_mechanics();  // of the last solve
   double travel();
   bool evaluates_hand(const EvaluationScope& scope) const;
   HandOutcome hand_outcome();

@@ -160,6 +160,33 @@ TEST(ModelSolver, GivesContactsThatSlideBesideASeizedOneTheirOwnRatios) {
   EXPECT_GT(sliding, 20);
 }
 
+// The loop above in its own order, with the exponents of the load.
+TEST(ModelSolver, GivesTheExponentsThatItsTensionsFollow) {
+  const std::string word = "1-T-2b-P-3-B-1";
+  const Network network = expand(parse_routing(word));
+  Subject subject;
+  subject.routing = word;
+  int sliding = 0;
+  for (std::size_t seized = 0; seized < network.contacts.size(); ++seized) {
+    Model model = testing::model_with({effect("load_dependent_friction", {0.2})});
+    subject.contact = contact_name(network, seized);
+    add_effect(model, effect("seized_contact", {}, subject));
+    ModelSolver solver(model, model.hardware, word, network);
+    const TensionState& state = solver.solve(hold({2}), Direction::pull, model.conditions);
+    const Mechanics& m = solver.solved();
+    EXPECT_EQ(m.decay[seized], 0);
+    for (std::size_t k = 0; k < network.contacts.size(); ++k) {
+      const auto [left, right] = ends_of(network.tendons[0], k);
+      if (k == seized || state.jams || state.slip[k] == 0 || state.tension[left] == 0) continue;
+      const double drop = std::log(state.tension[right] / state.tension[left]);
+      EXPECT_NEAR(drop, std::copysign(m.phi[k], state.slip[k]), 1e-9);
+      EXPECT_NEAR(m.decay[k], std::exp(-std::abs(drop)), 1e-9);
+      ++sliding;
+    }
+  }
+  EXPECT_GT(sliding, 20);
+}
+
 // No solution begins where another ended: the same bytes come out whatever was solved before.
 TEST(ModelSolver, ForgetsTheSolveBefore) {
   Model model = testing::model_with(

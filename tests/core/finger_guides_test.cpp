@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "core/contact_name.hpp"
 #include "core/hand.hpp"
 #include "tests/core/network_of.hpp"
 #include "tests/support/example_hand.hpp"
+#include "tests/support/random_routing.hpp"
 
 namespace reeve {
 namespace {
@@ -28,7 +31,13 @@ FingerParts guided_finger() {
 
 FingerPullArray pulls_in(const std::string& word, const Hardware& hardware, Grasp grasp) {
   const Network net = network_of(word);
-  return finger_pulls_of(net, tensions(net, mechanics(net, hardware), grasp));
+  const Mechanics parts = mechanics(net, hardware);
+  return finger_pulls_of(net, parts, tensions(net, parts, grasp));
+}
+
+void set_exponent(Mechanics& parts, std::size_t contact, double phi) {
+  parts.phi[contact] = phi;
+  parts.decay[contact] = std::exp(-phi);
 }
 
 TEST(FingerGuides, TakeTheCoefficientOfTheirKindUnlessTheyHaveTheirOwn) {
@@ -53,10 +62,10 @@ TEST(FingerGuides, LeaveLessToTheDistalJoint) {
 }
 
 TEST(FingerGuides, LeaveMoreToTheDistalJointWhereTheTendonSlidesToTheTip) {
-  const HandFinger finger = hand(hand_of({guided_finger()}))->finger(1);
-  const FingerPull outward{0, 12};
-  EXPECT_NEAR(outward.behind_guide_N(finger.demands[1].held_decay),
-              12 * std::exp(0.18 * in_rad(90)), 1e-12);
+  const Hardware hardware = hand_of({guided_finger()});
+  const FingerPull pull = pulls_in("M-1-F", hardware, {})[1];
+  const double decay = std::exp(-0.18 * in_rad(90));
+  EXPECT_NEAR(pull.behind_guide_N(decay), pull.left_N * decay + pull.right_N / decay, 1e-12);
 }
 
 // The tendon goes in along strand 1, past both guides, round the tip and past them again.
@@ -64,13 +73,20 @@ TEST(FingerGuides, ArePassedTwiceByATendonThatComesBack) {
   const Hardware hardware = hand_of({guided_finger()});
   const FingerPull pull = pulls_in("M-1-F", hardware, {})[1];
   const double loss = std::exp(-hardware.tube.exponent() - 2 * 0.18 * in_rad(90));
-  EXPECT_NEAR(pull.outward_N / pull.inward_N, loss, 1e-12);
+  EXPECT_NEAR(pull.right_N / pull.left_N, loss, 1e-12);
 }
 
-TEST(FingerGuides, SeeBothStrandsSlideToThePalmWhereBothArePulled) {
+TEST(FingerGuides, LoadBothStrandsFromThePalmWhereBothArePulled) {
   const FingerPull pull = pulls_in("M-1-M", hand_of({guided_finger()}), {})[1];
-  EXPECT_EQ(pull.outward_N, 0);
-  EXPECT_NEAR(pull.inward_N, std::exp(-0.18 * 2 * 3.14159265358979), 1e-9);
+  EXPECT_NEAR(pull.sum_N(), std::exp(-0.18 * 2 * 3.14159265358979), 1e-9);
+  EXPECT_NEAR(pull.behind_guide_N(0.7), 0.7 * pull.sum_N(), 1e-12);
+}
+
+// A strand that hangs on no tip contact has only its own palm end.
+TEST(FingerGuides, LoadAStrandThatIsTiedAtTheFingertipFromThePalm) {
+  const FingerPull pull = pulls_in("M-1x", hand_of({guided_finger()}), {})[1];
+  EXPECT_EQ(pull.tip_decay, 0);
+  EXPECT_NEAR(pull.behind_guide_N(0.7), 0.7 * pull.sum_N(), 1e-12);
 }
 
 TEST(FingerGuides, DoNotChangeAHandThatHasNone) {
@@ -83,6 +99,194 @@ TEST(FingerGuides, DoNotChangeAHandThatHasNone) {
   const FingerPullArray a = pulls_in("M-1-T-2-F", plain, {});
   const FingerPullArray b = pulls_in("M-1-T-2-F", frictionless, {});
   for (const std::size_t f : {1U, 2U}) EXPECT_EQ(a[f].sum_N(), b[f].sum_N());
+}
+
+// Contacts alone change friction by this factor.
+TEST(FingerGuides, ChangeWithTheExponentOfTheirTip) {
+  const Hardware hardware = hand_of({guided_finger()});
+  const Network net = network_of("M-1-F");
+  Mechanics parts = mechanics(net, hardware);
+  const std::size_t tip = find_contact(net, "T1-T2").value();
+  set_exponent(parts, tip, 1.5 * parts.phi[tip]);
+  const FingerPull pull = finger_pulls_of(net, parts, tensions(net, parts, {}))[1];
+  EXPECT_NEAR(pull.behind_guide_N(0.9),
+              pull.left_N * std::pow(0.9, 1.5) + pull.right_N / std::pow(0.9, 1.5), 1e-12);
+}
+
+// At the end of the range the guides take more, round the tip, too.
+TEST(FingerGuides, KeepTheConeOfTheTipAtTheEndOfTheRange) {
+  Hardware hardware = hand_of({guided_finger()});
+  hardware.tube.mu = 0;
+  for (FingerJoint& joint : hardware.fingers[0].parts.joints) {
+    joint.mu = 0.1;
+    joint.spring_Nmm_rad = 500;
+  }
+  const HandFinger finger = hand(hardware)->finger(1);
+  const FingerPull pull = pulls_in("M-1-F", hardware, {})[1];
+  const double last = finger.demands[1].closed_decay;
+  EXPECT_NEAR(motor_force(finger, false, pull),
+              finger.demands[1].close_N / (2 * pull.left_N * last), 1e-9);
+}
+
+// Three joints of 55° with tubes of mu 0.1, no other friction.
+Hardware hand_without_other_friction() {
+  Hardware hardware;
+  for (ContactLaw* law : {&hardware.tube, &hardware.bearing, &hardware.sheath}) law->mu = 0;
+  FingerParts& parts = hardware.finger_parts;
+  parts.force_N = 5;
+  parts.joints = {{10, 80, 60, 0, 0, 55.0}, {8, 80, 40, 20, -10, 55.0}, {6, 80, 20, 0, 0, 55.0}};
+  for (FingerJoint& joint : parts.joints) {
+    joint.guide = JointGuide::tube;
+    joint.mu = 0.1;
+  }
+  return hardware;
+}
+
+// Joint 1 gives first: it feels what one guide leaves of the strand from the palm, and what five
+// guides leave in the strand that comes back.
+TEST(FingerGuides, OfAHeldFingerLetTheTighterStrandLoadTheOtherRoundTheTip) {
+  const Hardware hardware = hand_without_other_friction();
+  const double phi = 0.1 * in_rad(55);
+  const double pull = std::exp(-phi) + std::exp(-5 * phi);
+  struct Case {
+    const char* word;
+    int held;
+    double palm_N;
+  };
+  for (const Case& one : {Case{"M-1-F", 1, 1}, Case{"M-1b-B-2b-F", 2, std::exp(-6 * phi)}}) {
+    const Network net = network_of(one.word);
+    const Mechanics parts = mechanics(net, hardware);
+    const Grasp grasp = hold({one.held});
+    const GripDemand demand =
+        grip_demand(*hand(hardware), net, parts, tensions(net, parts, grasp), grasp);
+    EXPECT_NEAR(demand.force_per_motor_N, one.palm_N * pull * 10 / 60, 1e-9) << one.word;
+    EXPECT_NEAR(demand.motor_force_N, 60 * 5 / (one.palm_N * pull * 10), 1e-9) << one.word;
+    EXPECT_EQ(demand.weakest, one.held);
+  }
+}
+
+FingerParts random_finger(testing::Dice& dice) {
+  FingerParts parts{{}, dice.real(1, 10)};
+  for (int j = dice.integer(1, 4); j > 0; --j) {
+    FingerJoint joint{dice.real(4, 12), 90, dice.real(20, 80), 0, 0, dice.real(5, 85)};
+    joint.guide = dice.chance(0.8) ? JointGuide::tube : JointGuide::none;
+    joint.mu = dice.real(0, 0.3);
+    joint.wrap_deg = dice.real(0, 40);
+    parts.joints.push_back(joint);
+  }
+  return parts;
+}
+
+// The routing with a tube for each guide that a strand of a held finger passes.
+struct GuidedRouting {
+  Network network;
+  Mechanics parts;
+  std::vector<std::size_t> tip;  // contact at the tip of each held finger, 0 of others
+};
+
+std::string with_tubes(const std::string& word, const Hardware& hardware, Grasp grasp) {
+  std::string result;
+  for (const char token : word) {
+    const int finger = token - '0';
+    if (finger < 1 || finger > 9 || !grasp.holds(finger)) {
+      result += token;
+      continue;
+    }
+    const auto joints = hardware.fingers[static_cast<std::size_t>(finger) - 1].parts.joints.size();
+    for (std::size_t j = 0; j < joints; ++j) result += "T-";
+    result += token;
+    for (std::size_t j = 0; j < joints; ++j) result += "-T";
+  }
+  return result;
+}
+
+void set_sheaths(const Network& network, const std::vector<double>& phi, Mechanics& parts) {
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < network.contacts.size(); ++k) {
+    if (network.contacts[k].kind == ContactKind::sheath) set_exponent(parts, k, phi.at(next++));
+  }
+}
+
+GuidedRouting guided(const std::string& word, const Hardware& hardware, Grasp grasp) {
+  Hardware plain = hardware;
+  for (FingerHardware& finger : plain.fingers) {
+    if (grasp.holds(finger.finger)) finger.parts.joints = without_guides(finger.parts.joints);
+  }
+  GuidedRouting result{network_of(with_tubes(word, hardware, grasp)), {}, {}};
+  result.parts = mechanics(result.network, plain);
+  result.tip.resize(plain.fingers.size() + 1);
+  for (std::size_t k = 0; k < result.network.contacts.size(); ++k) {
+    const Contact& contact = result.network.contacts[k];
+    if (contact.place != ContactPlace::tip || !grasp.holds(contact.finger)) continue;
+    const auto f = static_cast<std::size_t>(contact.finger);
+    const std::vector<FingerJoint>& joints = hardware.fingers[f - 1].parts.joints;
+    const std::size_t n = joints.size();
+    result.tip[f] = k;
+    for (std::size_t j = 0; j < n; ++j) {
+      const double phi = guide_exponent(joints[j], in_rad(*joints[j].held_deg));
+      set_exponent(result.parts, k - n + j, phi);
+      set_exponent(result.parts, k + n - j, phi);
+    }
+    // Segment k lies before contact k of a single tendon. The strand is what lies before the
+    // guides.
+    for (std::size_t i = k - n; i <= k + n + 1; ++i) result.parts.length[i] = 1e-9;
+    result.parts.length[k - n] = result.parts.length[k + n + 1] = hardware.strand_mm;
+  }
+  return result;
+}
+
+// The tension solve, which takes the guides of a finger as one contact with its tip, against the
+// same solve with a contact for each guide.
+TEST(FingerGuides, LeaveTheTensionsOfASolveWithAContactForEachGuide) {
+  const std::vector<std::string> words{"M-1-F",         "M-1-M",         "M-1-T-2-F",
+                                       "M-1-T-2-M",     "M-1-P-2-F",     "F-1-P-2-F",
+                                       "M-1-T-2-T-3-M", "M-1-T-2-T-3-F", "M-1-P-2-T-3-F"};
+  int compared = 0;
+  int between = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    testing::Dice dice(seed);
+    const std::string word = dice.pick(words);
+    SCOPED_TRACE(::testing::Message() << "seed " << seed << ", " << word);
+    Hardware hardware = hand_of({random_finger(dice), random_finger(dice), random_finger(dice)});
+    for (FingerHardware& finger : hardware.fingers) {
+      finger.tip_mu = dice.chance(0.3) ? 0 : dice.real(0, 0.2);
+    }
+    const std::vector<double> sheaths{dice.real(0, 0.6), dice.real(0, 0.6), dice.real(0, 0.6)};
+    const Network net = network_of(word);
+    Grasp grasp;
+    for (int f = 1; f <= net.fingers; ++f) {
+      if (dice.chance(0.6)) grasp.held |= 1U << (f - 1);
+    }
+    Mechanics parts = mechanics(net, hardware);
+    set_sheaths(net, sheaths, parts);
+    const FingerPullArray pulls = finger_pulls_of(net, parts, tensions(net, parts, grasp));
+    GuidedRouting along = guided(word, hardware, grasp);
+    set_sheaths(along.network, sheaths, along.parts);
+    const TensionState state = tensions(along.network, along.parts, grasp);
+    for (std::size_t k = 0; k < along.network.contacts.size(); ++k) {
+      EXPECT_LE(std::abs(std::log(state.tension[k] / state.tension[k + 1])),
+                along.parts.phi[k] + 1e-6);
+    }
+    for (int number = 1; number <= net.fingers; ++number) {
+      if (!grasp.holds(number)) continue;
+      const auto f = static_cast<std::size_t>(number);
+      const HandFinger finger = hand(hardware)->finger(number);
+      const std::size_t n = finger.joints.size();
+      const std::size_t tip = along.tip[f];
+      ++compared;
+      between += pulls[f].right_N > pulls[f].left_N * pulls[f].tip_decay * 1.01 &&
+                 pulls[f].left_N > pulls[f].right_N * pulls[f].tip_decay * 1.01;
+      EXPECT_NEAR(pulls[f].left_N, state.tension[tip - n], 1e-6);
+      EXPECT_NEAR(pulls[f].right_N, state.tension[tip + n + 1], 1e-6);
+      for (std::size_t j = 0; j < n; ++j) {
+        EXPECT_NEAR(pulls[f].behind_guide_N(finger.demands[j].held_decay),
+                    state.tension[tip - n + j + 1] + state.tension[tip + n - j], 1e-6)
+            << "finger " << number << ", joint " << j + 1;
+      }
+    }
+  }
+  EXPECT_GT(compared, 300);
+  EXPECT_GT(between, 30);
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ HandFinger finger_of(const FingerParts& parts) { return hand(hand_of({parts}))->
 
 GripDemand demand_of(const std::string& word, const Hardware& hardware, Grasp grasp) {
   const Network net = network_of(word);
-  return grip_demand(*hand(hardware), net, tensions(net, mechanics(net, hardware), grasp), grasp);
+  const Mechanics parts = mechanics(net, hardware);
+  return grip_demand(*hand(hardware), net, parts, tensions(net, parts, grasp), grasp);
 }
 
 // Torque that is left to a joint's flexion under a pull and a fingertip force.

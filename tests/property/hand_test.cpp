@@ -122,9 +122,9 @@ TEST(HandOfARandomRouting, MeetsEveryWantedForceAtTheMotorForceAndNotBelowIt) {
   int told = 0;
   for_each_hand([&](const Trial& trial, const Hardware& hardware) {
     const Hand known = *hand(hardware);
-    const TensionState state =
-        tensions(trial.network, mechanics(trial.network, hardware), trial.grasp);
-    const GripDemand demand = grip_demand(known, trial.network, state, trial.grasp);
+    const Mechanics parts = mechanics(trial.network, hardware);
+    const TensionState state = tensions(trial.network, parts, trial.grasp);
+    const GripDemand demand = grip_demand(known, trial.network, parts, state, trial.grasp);
     if (!std::isfinite(demand.motor_force_N) || demand.motor_force_N == 0) return;
     const FingerArray pulls = pulls_by_finger(trial.network, state);
     for (int f = 1; f <= trial.network.fingers; ++f) {

@@ -55,7 +55,7 @@ TEST(HandObjectives, AreTheMostThatAGraspAsksForAndTheLeastThatAFingerGets) {
   const GraspSet grasps = parse_grasps("none:3/1:1", 2);
   for (const WeightedGrasp& grasp : grasps) {
     const GripDemand demand =
-        grip_demand(*hand(hardware), net, tensions(net, parts, grasp.grasp), grasp.grasp);
+        grip_demand(*hand(hardware), net, parts, tensions(net, parts, grasp.grasp), grasp.grasp);
     most = std::max(most, demand.motor_force_N);
     least = std::min(least, demand.force_per_motor_N);
     mean += grasp.weight * demand.force_per_motor_N / 4;
@@ -64,6 +64,25 @@ TEST(HandObjectives, AreTheMostThatAGraspAsksForAndTheLeastThatAFingerGets) {
   EXPECT_NEAR(value(values, Objective::motor_force), most, 1e-9);
   EXPECT_NEAR(value(values, Objective::fingertip_force_worst), least, 1e-9);
   EXPECT_NEAR(value(values, Objective::fingertip_force_mean), mean, 1e-9);
+}
+
+// Finger 2 is held: joint 1 feels what one guide leaves of the strand from finger 1, and what five
+// guides leave in the strand that comes back.
+TEST(HandObjectives, FollowTheTensionsBehindTheGuidesOfAHeldFinger) {
+  FingerParts parts{{{10, 80, 60, 0, 0, 55.0}, {8, 80, 40, 0, 0, 55.0}, {6, 80, 20, 0, 0, 55.0}},
+                    5.0};
+  for (FingerJoint& joint : parts.joints) {
+    joint.guide = JointGuide::tube;
+    joint.mu = 0.1;
+  }
+  Hardware hardware = hand_of({parts, parts});
+  for (ContactLaw* law : {&hardware.tube, &hardware.bearing, &hardware.sheath}) law->mu = 0;
+  const double phi = 0.1 * in_rad(55);
+  const double pull = std::exp(-6 * phi) * (std::exp(-phi) + std::exp(-5 * phi));
+  const ObjectiveValues values =
+      evaluate("M-1b-B-2b-F", hardware, {{hold({2}), 1}}, {false, false, true, false, false});
+  EXPECT_NEAR(value(values, Objective::fingertip_force_worst), pull * 10 / 60, 1e-9);
+  EXPECT_NEAR(value(values, Objective::motor_force), 60 * 5 / (pull * 10), 1e-6);
 }
 
 TEST(HandObjectives, FollowTheStrokeToTheMotorsPower) {
