@@ -128,6 +128,10 @@ std::string is_seed(const std::string& text) {
                      std::numeric_limits<std::uint64_t>::max());
 }
 
+std::string names_a_file(const std::string& text) {
+  return text.empty() ? "Value '': expected a file or folder" : "";
+}
+
 void add_threads(CLI::App& command, int& threads) {
   command
       .add_option("--threads", threads,

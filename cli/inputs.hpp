@@ -66,6 +66,9 @@ auto for_name(const std::string& start, Read read) {
 // A check of CLI11's for seeds: its conversion would take -1 and what is too large for the greatest
 // number.
 std::string is_seed(const std::string& text);
+// A check of CLI11's for files and folders that are read: an error about a file without a name
+// would not say whose it is.
+std::string names_a_file(const std::string& text);
 
 // --threads, on whose value no result depends.
 void add_threads(CLI::App& command, int& threads);

@@ -66,7 +66,7 @@ int run(int argc, char** argv) {
   reeve.require_subcommand(0, 1);
   reeve.set_version_flag("--version", version_text());
   add_subcommands(reeve, exit_code);
-  refuse_leading_zeros(reeve);
+  require_whole_numbers(reeve);
   reeve.parse_complete_callback([&] {
     if (!reeve.got_subcommand("explore")) require_alone(launch);
   });

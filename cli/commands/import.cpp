@@ -137,12 +137,12 @@ void add_steadiness(CLI::App& command, SteadyOptions& options) {
   command
       .add_option("--min-duration", options.min_duration_s,
                   "Least duration of a reading in seconds")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(number_from(0.1, 3600))
       ->capture_default_str();
   command
       .add_option("--tolerance", options.tolerance,
                   "Greatest relative change of a steady tension, besides its noise")
-      ->check(CLI::Range(0.0001, 0.5))
+      ->check(number_from(0.0001, 0.5))
       ->capture_default_str();
   command
       .add_option("--readings-per-stroke", options.readings_per_stroke,
@@ -157,6 +157,7 @@ void add_options(CLI::App& command, ImportFlags& flags) {
   command
       .add_option("log", flags.log,
                   "CSV file with a row for each sample; docs/logger.md describes its columns")
+      ->check(names_a_file)
       ->required();
   flags.out_given = command.add_option("-o,--output", flags.out,
                                        "CSV file for the readings (default: none written)");

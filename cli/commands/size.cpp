@@ -103,8 +103,10 @@ void add_search(CLI::App& command, SizeFlags& flags) {
 
 void add_options(CLI::App& command, SizeFlags& flags) {
   command.add_option("routing", flags.routings, "Catalogue names or words");
-  flags.from_given = command.add_option(
-      "--from", flags.from, "Folder of an exploration, whose best designs are sized too");
+  flags.from_given = command
+                         .add_option("--from", flags.from,
+                                     "Folder of an exploration, whose best designs are sized too")
+                         ->check(names_a_file);
   command.add_option("--top", flags.top, "Number of designs of --from")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
       ->needs(flags.from_given)

@@ -57,6 +57,9 @@ TEST(BadData, ThatAreInLatin1AreRefusedByEveryCommand) {
 TEST(BadData, OfADiagnosisAreNamedBeforeTheWork) {
   expect_all_bad({
       {"diagnose", "data is required"},
+      {"diagnose ''", "data: Value '': expected a file or folder; see reeve diagnose --help"},
+      {"compare ''", "data: Value '': expected a file or folder; see reeve compare --help"},
+      {"diagnose ok.csv --terms ''", "--terms: Value '': expected a file or folder"},
       {"diagnose --out out --save-model model.toml none.csv",
        "none.csv: cannot be read: No such file or directory"},
       {"diagnose --out out --save-model model.toml empty.csv", "empty.csv: "},
@@ -110,16 +113,16 @@ TEST(BadOption, OfADiagnosisIsNamedWithItsRange) {
                          const std::string& message) {
     return BadLine{{"diagnose", "ok.csv", name, value}, message};
   };
-  const std::string alpha = ": expected a number from 0.0001 and at most 0.5";
-  const std::string hold_out = ": expected a number from 0 and at most 0.9";
+  const std::string alpha = "': expected a number from 0.0001 to 0.5";
+  const std::string hold_out = "': expected a number from 0 to 0.9";
   expect_all_bad({
-      option("--alpha", "0", "--alpha: Value 0" + alpha),
-      option("--alpha", "0.6", "--alpha: Value 0.6" + alpha),
-      option("--alpha", "0.00009", "--alpha: Value 0.00009" + alpha),
-      option("--alpha", "nan", "--alpha: Value nan" + alpha),
-      option("--alpha", "5%", "--alpha: Value 5%" + alpha),
-      option("--hold-out", "-0.1", "--hold-out: Value -0.1" + hold_out),
-      option("--hold-out", "1", "--hold-out: Value 1" + hold_out),
+      option("--alpha", "0", "--alpha: Value '0" + alpha),
+      option("--alpha", "0.6", "--alpha: Value '0.6" + alpha),
+      option("--alpha", "0.00009", "--alpha: Value '0.00009" + alpha),
+      option("--alpha", "nan", "--alpha: Value 'nan" + alpha),
+      option("--alpha", "5%", "--alpha: Value '5%" + alpha),
+      option("--hold-out", "-0.1", "--hold-out: Value '-0.1" + hold_out),
+      option("--hold-out", "1", "--hold-out: Value '1" + hold_out),
       option("--seed", "-1", "--seed: Value -1 is negative: expected a whole number from 0"),
       option("--seed", "18446744073709551616",
              "--seed: Value 18446744073709551616 is too large: expected a whole number to "

@@ -128,6 +128,7 @@ TEST(BadSizing, OfAGoalIsNamedWithWhatWasExpected) {
        "--score 'reliability=1': expected --goal score with it; the goal is another"},
       {"size TR1 --vary tip_angle=1..4 --draws 0", "--draws: Value 0 not in range 1 to 10000"},
       {"size TR1 --vary tip_angle=1..4 --starts 0", "--starts: Value 0 not in range 1 to 1000"},
+      {"size --from '' --vary tip_angle=1..4", "--from: Value '': expected a file or folder"},
       {"size TR1 --vary tip_angle=1..4 --seed -1", "--seed: Value -1 is negative"},
       {"size TR1 --vary tip_angle=1..4 --format csv",
        "--format: csv not in {table,json,markdown,latex}"},
