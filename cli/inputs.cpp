@@ -200,6 +200,10 @@ void SvgOption::require_apart_from(const std::vector<InputFile>& inputs) const {
   require_not_an_input(file_, inputs, "--svg");
 }
 
+void SvgOption::list_in(std::vector<InputFile>& taken) const {
+  if (is_given()) taken.push_back(written_by("--svg", file_));
+}
+
 void SvgOption::write(const std::string& content) const {
   require_file_can_be_written(file_, "--svg");
   for_option("--svg", [&] { write_file(file_, content); });

@@ -109,6 +109,7 @@ struct SvgOption {
   bool is_given() const { return option_->count() > 0; }
   // Throws InputError.
   void require_apart_from(const std::vector<InputFile>& inputs) const;
+  void list_in(std::vector<InputFile>& taken) const;
   void write(const std::string& content) const;
 
  private:

@@ -74,16 +74,17 @@ void require_places(const DiagnoseFlags& flags) {
   std::vector<InputFile> inputs{{flags.data, "the data"}};
   flags.hardware.list_in(inputs);
   if (flags.terms_given->count() > 0) inputs.push_back({flags.terms, "the terms"});
+  if (flags.save_model_given->count() > 0) {
+    require_file_can_be_written(flags.save_model, "--save-model");
+    require_not_an_input(flags.save_model, inputs, "--save-model");
+    inputs.push_back(written_by("--save-model", flags.save_model));
+  }
   if (flags.out_given->count() > 0) {
     require_folder_can_be_written(flags.out, "--out");
     if (std::filesystem::is_directory(flags.out)) {
       require_file_can_be_written(flags.page_file(), "--out");
     }
     require_no_input_in(flags.out, {"diagnosis.json", "residuals.csv", "index.html"}, inputs);
-  }
-  if (flags.save_model_given->count() > 0) {
-    require_file_can_be_written(flags.save_model, "--save-model");
-    require_not_an_input(flags.save_model, inputs, "--save-model");
   }
 }
 

@@ -36,13 +36,15 @@ struct ImportFlags {
 };
 
 void require_places(const ImportFlags& flags) {
-  const auto require = [&](const CLI::Option* given, const std::string& file, const char* option) {
+  std::vector<InputFile> taken{{flags.log, "the data"}};
+  const auto take = [&](const CLI::Option* given, const std::string& file, const char* option) {
     if (given->count() == 0) return;
     require_file_can_be_written(file, option);
-    require_not_an_input(file, {{flags.log, "the data"}}, option);
+    require_not_an_input(file, taken, option);
+    taken.push_back(written_by(option, file));
   };
-  require(flags.out_given, flags.out, "-o");
-  require(flags.plot_given, flags.plot, "--plot");
+  take(flags.out_given, flags.out, "-o");
+  take(flags.plot_given, flags.plot, "--plot");
   require_svg(flags.plot, "--plot");
 }
 

@@ -292,10 +292,11 @@ std::vector<InputFile> inputs_of(const SizeFlags& flags) {
 }
 
 void require_places(const SizeFlags& flags) {
-  const std::vector<InputFile> inputs = inputs_of(flags);
+  std::vector<InputFile> inputs = inputs_of(flags);
   if (flags.save_given->count() > 0) {
     require_file_can_be_written(flags.save, "--save-hardware");
     require_not_an_input(flags.save, inputs, "--save-hardware");
+    inputs.push_back(written_by("--save-hardware", flags.save));
   }
   flags.out.require_apart_from(inputs, {"index.html", "sizing.json"});
 }
