@@ -23,7 +23,7 @@ namespace {
 struct ImportFlags {
   std::string log;
   ReadingFlags columns;
-  ImportLabels labels;
+  ImportLabels labels{.start = "--"};
   SteadyOptions options;
   std::string direction;
   std::string out;
