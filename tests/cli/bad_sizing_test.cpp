@@ -34,6 +34,8 @@ TEST(BadSizing, OfBoundsIsNamedWithWhatWasExpected) {
        "--score: closure needs a hand; expected"},
       {"size TR1 --vary tip_angle=1..4 --equal sheaths",
        "--equal 'sheaths': expected dimensions that are varied"},
+      {"size TR1 --vary sheath_angle=3..9 --equal sheath_angle[1,9]",
+       "--equal 'sheath_angle[1,9]': expected dimensions that are varied"},
       {"size TR1 --vary tip_angle=1..4 --equal thumbs",
        "--equal 'thumbs': expected tips, sheaths, strands"},
       {"size TR1 --vary sheath_angle=1..50",
