@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/nearest_name.hpp"
+#include "core/text.hpp"
 
 namespace reeve::cli {
 
@@ -18,6 +19,16 @@ CLI::Validator one_of(std::vector<std::string> names) {
         return fmt::format("{} not in {}{}", text, set, core::did_you_mean(text, names));
       },
       set);
+}
+
+CLI::Validator number_from(double low, double high) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        const auto number = number_in(text);
+        if (number && *number >= low && *number <= high) return std::string();
+        return fmt::format("Value '{}': expected a number from {} to {}", text, low, high);
+      },
+      "");
 }
 
 }  // namespace reeve::cli

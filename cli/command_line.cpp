@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "cli/api.hpp"
@@ -76,6 +77,14 @@ InputFault option_fault(const CLI::App& command, const std::string& words) {
   return fault;
 }
 
+std::string fault_of_whole_number(const std::string& text) {
+  const std::string_view digits = std::string_view(text).substr(text.starts_with('-') ? 1 : 0);
+  const bool is_whole =
+      !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
+  const bool is_fine = is_whole && (digits[0] != '0' || digits.size() == 1);
+  return is_fine ? "" : fmt::format("Value '{}': expected a whole number such as 10", text);
+}
+
 }  // namespace
 
 bool is_among(const std::vector<std::string>& names, const CLI::Option& option) {
@@ -122,27 +131,19 @@ void parse(CLI::App& command, const std::vector<std::string>& arguments) {
   command.parse(std::move(given));
 }
 
-void refuse_leading_zeros(CLI::App& program) {
-  const CLI::Validator decimal(
-      [](const std::string& text) {
-        const std::size_t begin = text.find_first_not_of("+-");
-        const bool is_fine = begin == std::string::npos || text[begin] != '0' ||
-                             text.find_first_not_of('0', begin) == std::string::npos;
-        return is_fine ? std::string()
-                       : "Value " + text + " begins with 0: expected a whole number such as 10";
-      },
-      "");
+void require_whole_numbers(CLI::App& program) {
+  const CLI::Validator whole(fault_of_whole_number, "");
   for (CLI::App* command : program.get_subcommands({})) {
     for (CLI::Option* option : command->get_options()) {
       const std::string type = option->get_type_name();
-      if (type.starts_with("INT") || type.starts_with("UINT")) option->transform(decimal);
+      if (type.starts_with("INT") || type.starts_with("UINT")) option->transform(whole);
     }
   }
 }
 
 void parse_for_api(CLI::App& program, const CLI::App& command,
                    const std::vector<std::string>& arguments) {
-  refuse_leading_zeros(program);
+  require_whole_numbers(program);
   std::vector<std::string> given{command.get_name()};
   given.insert(given.end(), arguments.begin(), arguments.end());
   try {

@@ -31,9 +31,9 @@ std::vector<std::string> given_arguments(const CLI::App& command,
 // value; here that is an empty one. Throws CLI::ParseError.
 void parse(CLI::App& command, const std::vector<std::string>& arguments);
 
-// CLI11 reads whole numbers as C does: 010 would be eight and 0x10 sixteen. No subcommand's option
-// of a whole number takes one that begins so.
-void refuse_leading_zeros(CLI::App& program);
+// CLI11 reads whole numbers as C does, and more: 010 would be eight, 0x10 sixteen, an empty text
+// zero and "true" one. An option of a whole number takes decimal digits only.
+void require_whole_numbers(CLI::App& program);
 
 // The arguments of `command`, one of the program's, as a caller of api.hpp gives them. Throws
 // api::OptionError in CLI11's words.

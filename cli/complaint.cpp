@@ -15,6 +15,7 @@
 #include <typeinfo>
 
 #include "cli/commands/commands.hpp"
+#include "readings/csv.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -58,6 +59,17 @@ bool is_of_memory(const std::type_info* type) {
          *type == typeid(std::bad_array_new_length);
 }
 
+int say(const std::string& lines, int exit_code) {
+  std::cerr << "reeve: " << shortened(lines) << '\n';
+  return exit_code;
+}
+
+int say_in_turn(const std::string& lines, int exit_code) {
+  if (second_speaker.empty()) return say(lines, exit_code);
+  std::this_thread::sleep_for(patience);
+  return say(second_speaker + lines, exit_code);
+}
+
 [[noreturn]] void end() {
   const std::type_info* type = abi::__cxa_current_exception_type();
   if (is_of_memory(type)) {
@@ -86,14 +98,15 @@ std::string shortened(std::string_view message) {
 }
 
 int complain_alone(const std::string& message, int exit_code) {
-  std::cerr << "reeve: " << shortened(message) << '\n';
-  return exit_code;
+  return say(one_line(message), exit_code);
 }
 
 int complain(const std::string& message, int exit_code) {
-  if (second_speaker.empty()) return complain_alone(message, exit_code);
-  std::this_thread::sleep_for(patience);
-  return complain_alone(second_speaker + message, exit_code);
+  return say_in_turn(one_line(message), exit_code);
+}
+
+int complain(const InputError& error, int exit_code) {
+  return say_in_turn(sentence(changed(error.fault(), one_line)), exit_code);
 }
 
 void leave_first_word_to_others(const std::string& speaker) { second_speaker = speaker; }

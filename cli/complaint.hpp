@@ -4,12 +4,15 @@
 #include <string>
 #include <string_view>
 
-#include "numerics/floors.hpp"
+#include "core/error.hpp"
 
 namespace reeve::cli {
 
-// "reeve: …", shortened where what the user gave is longer than anybody reads.
+// "reeve: …" on one line, whatever characters the user gave, shortened where it is longer than
+// anybody reads.
 int complain(const std::string& message, int exit_code);
+// Each part of a fault has a line of its own.
+int complain(const InputError& error, int exit_code);
 
 // From here on `complain` waits for some seconds: most often another process says the same, and all
 // are ended. A complaint after that begins with `speaker`.

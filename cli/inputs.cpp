@@ -128,6 +128,10 @@ std::string is_seed(const std::string& text) {
                      std::numeric_limits<std::uint64_t>::max());
 }
 
+std::string names_a_file(const std::string& text) {
+  return text.empty() ? "Value '': expected a file or folder" : "";
+}
+
 void add_threads(CLI::App& command, int& threads) {
   command
       .add_option("--threads", threads,
@@ -194,6 +198,10 @@ void SvgOption::require_apart_from(const std::vector<InputFile>& inputs) const {
   if (!is_given()) return;
   require_svg(file_, "--svg");
   require_not_an_input(file_, inputs, "--svg");
+}
+
+void SvgOption::list_in(std::vector<InputFile>& taken) const {
+  if (is_given()) taken.push_back(written_by("--svg", file_));
 }
 
 void SvgOption::write(const std::string& content) const {

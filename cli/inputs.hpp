@@ -66,6 +66,9 @@ auto for_name(const std::string& start, Read read) {
 // A check of CLI11's for seeds: its conversion would take -1 and what is too large for the greatest
 // number.
 std::string is_seed(const std::string& text);
+// A check of CLI11's for files and folders that are read: an error about a file without a name
+// would not say whose it is.
+std::string names_a_file(const std::string& text);
 
 // --threads, on whose value no result depends.
 void add_threads(CLI::App& command, int& threads);
@@ -106,6 +109,7 @@ struct SvgOption {
   bool is_given() const { return option_->count() > 0; }
   // Throws InputError.
   void require_apart_from(const std::vector<InputFile>& inputs) const;
+  void list_in(std::vector<InputFile>& taken) const;
   void write(const std::string& content) const;
 
  private:

@@ -18,6 +18,7 @@
 #include "core/version.hpp"
 #include "numerics/parallel.hpp"
 #include "numerics/processes.hpp"
+#include "readings/csv.hpp"
 #include "reports/output/files.hpp"
 #include "studies/ranks.hpp"
 
@@ -52,7 +53,8 @@ std::string parse_complaint(const CLI::ParseError& error, const CLI::App& progra
 void say_what_is_waited_for(const char* file, core::Awaited awaited) {
   const char* const why =
       awaited == core::Awaited::writer ? "nobody has written to yet" : "nobody reads yet";
-  std::cerr << "reeve: " << shortened(fmt::format("waiting for '{}': a pipe that {}", file, why))
+  std::cerr << "reeve: "
+            << shortened(one_line(fmt::format("waiting for '{}': a pipe that {}", file, why)))
             << '\n';
 }
 
@@ -64,7 +66,7 @@ int run(int argc, char** argv) {
   reeve.require_subcommand(0, 1);
   reeve.set_version_flag("--version", version_text());
   add_subcommands(reeve, exit_code);
-  refuse_leading_zeros(reeve);
+  require_whole_numbers(reeve);
   reeve.parse_complete_callback([&] {
     if (!reeve.got_subcommand("explore")) require_alone(launch);
   });
@@ -96,7 +98,7 @@ int run_to_last_words(int argc, char** argv) {
   } catch (const Unconnected&) {
     throw;
   } catch (const InputError& error) {
-    return complain(error.what(), bad_input);
+    return complain(error, bad_input);
   } catch (const OutOfRange& error) {
     return complain(error.what(), bad_input);
   } catch (const Interrupted& error) {

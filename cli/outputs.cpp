@@ -56,6 +56,10 @@ bool are_the_same(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
+InputFile written_by(const std::string& option, const fs::path& file) {
+  return {file, "the file of " + option};
+}
+
 void require_not_an_input(const fs::path& file, const std::vector<InputFile>& inputs,
                           const std::string& option) {
   for (const InputFile& input : inputs) {

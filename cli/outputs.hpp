@@ -9,14 +9,17 @@
 
 namespace reeve::cli {
 
-// A file that a command reads, or continues in, and its role: "the data", "the store".
+// A file that a command reads, continues in, or writes by another option, and its role: "the data",
+// "the store", "the file of -o".
 struct InputFile {
   std::filesystem::path file;
   std::string what;
 };
 
-// The one rule for all commands: nothing is written over what is read. Files are the same where
-// links lead to the same, also while there is none yet. `option` stands before the value in
+InputFile written_by(const std::string& option, const std::filesystem::path& file);
+
+// The one rule for all commands: nothing is written over what is read, or twice. Files are the same
+// where links lead to the same, also while there is none yet. `option` stands before the value in
 // messages. Throw InputError.
 void require_not_an_input(const std::filesystem::path& file, const std::vector<InputFile>& inputs,
                           const std::string& option);

@@ -33,6 +33,14 @@ FrictionCase read_case(const std::string& item, const Model& model) {
   return result;
 }
 
+[[noreturn]] void fail_without(int fingers, const std::string& expected,
+                               const std::set<int>& numbers) {
+  throw InputError(
+      {.what = "--fingers",
+       .value = fmt::format("{}", fingers),
+       .expected = fmt::format("as many as {} has: {}", expected, fmt::join(numbers, ", "))});
+}
+
 // Mechanisms share words; each is ranked once.
 std::vector<Routing> mechanisms_of(const std::string& family, int fingers,
                                    const Catalogue& catalogue) {
@@ -48,10 +56,7 @@ std::vector<Routing> mechanisms_of(const std::string& family, int fingers,
     }
   }
   if (result.empty()) {
-    throw InputError({.what = "--fingers",
-                      .value = fmt::format("{}", fingers),
-                      .expected = fmt::format("as many as a mechanism of the family {} has: {}",
-                                              family, fmt::join(others, ", "))});
+    fail_without(fingers, "a mechanism of the family " + family, others);
   }
   return result;
 }
@@ -61,8 +66,13 @@ std::vector<Routing> catalogued(const AskedRoutings& asked, int fingers,
   const std::string family = asked.family.value_or(paper_family);
   if (family != paper_family) return mechanisms_of(family, fingers, catalogue);
   std::vector<Routing> result;
+  std::set<int> numbers;
   for (const CatalogueEntry& entry : catalogue.entries) {
+    numbers.insert(finger_count(entry.routing));
     if (finger_count(entry.routing) == fingers) result.push_back(entry.routing);
+  }
+  if (result.empty() && asked.given.empty()) {
+    fail_without(fingers, "a routing of the family " + family, numbers);
   }
   return result;
 }

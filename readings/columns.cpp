@@ -199,6 +199,10 @@ void Header::fail_column(std::size_t column, std::string expected) {
         .expected = std::move(expected)});
 }
 
+void Header::require_one(std::size_t column, std::ptrdiff_t given, const std::string& kind) {
+  if (given > 1) fail_column(column, fmt::format("one {}, and {} are given", kind, given));
+}
+
 void Header::note_covariate(std::string text) {
   notes_.push_back({NoteKind::covariate, std::move(text), {}});
 }
@@ -313,7 +317,7 @@ void Header::fail_same(std::size_t index, std::size_t first) {
 
 // The user must not think that a missing column had an effect.
 void Header::require_options() {
-  const auto require_one = [&](const std::string& name, bool is_there, const std::string& what) {
+  const auto require_there = [&](const std::string& name, bool is_there, const std::string& what) {
     if (is_there) return;
     fail({.what = "the header has no column", .value = for_message(name), .expected = what});
   };
@@ -322,22 +326,42 @@ void Header::require_options() {
                        [&](const DataColumn& column) { return column.name == name; });
   };
   for (const auto& [column, meaning] : options_.map) {
-    require_one(column, is_there(column),
-                fmt::format("the column that means {}{}", meaning, nearest_column(column)));
+    require_there(column, is_there(column),
+                  fmt::format("the column that means {}{}", meaning, nearest_column(column)));
   }
   if (options_.group) {
     const std::string& group = group_ ? *group_ : *options_.group;
-    require_one(group, is_there(group), "the column of groups" + nearest_column(group));
+    require_there(group, is_there(group), "the column of groups" + nearest_column(group));
   }
   for (const ColumnUnit& given : options_.units) {
     if (!given.column) continue;
     const bool is_meant =
         std::any_of(columns_.begin(), columns_.end(),
                     [&](const DataColumn& column) { return means(*given.column, column); });
-    require_one(
+    require_there(
         *given.column, is_meant,
         fmt::format("the column that is in {}{}", given.unit, nearest_column(*given.column)));
   }
+  require_each_once();
+}
+
+void Header::require_each_once() {
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const DataColumn& column = columns_[i];
+    require_one(i, std::ranges::count(options_.map, column.name, &ColumnMeaning::column),
+                "meaning");
+    require_one(i,
+                std::ranges::count_if(options_.units,
+                                      [&](const ColumnUnit& unit) {
+                                        return unit.column && means(*unit.column, column);
+                                      }),
+                "unit");
+  }
+  const auto of_all =
+      std::ranges::count_if(options_.units, [](const ColumnUnit& unit) { return !unit.column; });
+  if (of_all < 2) return;
+  fail({.what = "the unit of all tensions",
+        .expected = fmt::format("one unit, and {} are given", of_all)});
 }
 
 std::string Header::nearest_column(const std::string& name) const {

@@ -79,6 +79,8 @@ class Header {
   // Adds a fault at the header's line, if it has no place of its own.
   void fail(InputFault fault);
   void fail_column(std::size_t column, std::string expected);
+  // Refuses all but one of `given` values of a kind, such as units, for this column.
+  void require_one(std::size_t column, std::ptrdiff_t given, const std::string& kind);
   // Adds a note that the column is a covariate.
   void note_covariate(std::string text);
   void set_role(std::size_t column, DataRole role) { columns_[column].role = role; }
@@ -94,6 +96,7 @@ class Header {
   bool has_other_meaning(const std::string& name, std::size_t index);
   std::optional<std::size_t> same_as(const DataColumn& column) const;
   void fail_same(std::size_t index, std::size_t first);
+  void require_each_once();
   void require_options();
   std::string nearest_column(const std::string& name) const;
   void note_titles();

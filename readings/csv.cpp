@@ -56,6 +56,10 @@ bool says_simulated(std::string_view text) {
 std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; }, '?');
+  for (std::size_t at = 0; const auto bad = first_not_utf8(std::string_view(text).substr(at));) {
+    at += *bad;
+    text[at] = '?';
+  }
   return text;
 }
 
@@ -187,9 +191,10 @@ InputFault CsvReader::ragged(Place place, std::size_t fields) const {
 bool CsvReader::at_row() {
   while (at_ < text_.size()) {
     if (text_[at_] == '#') {
-      const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+      const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
       comments_.push_back({line_, text_.substr(at_ + 1, end - at_ - 1)});
       at_ = end;
+      if (at_ < text_.size()) require_line_end();
     } else if (!at_line_end()) {
       return true;
     }
@@ -278,9 +283,13 @@ void CsvReader::end_line() {
 
 bool CsvReader::take_separator() {
   if (at_ == text_.size() || at_line_end()) return false;
-  if (text_[at_] == '\r') fail(here(), "a carriage return alone", "LF or CRLF at line ends");
+  if (text_[at_] == '\r') require_line_end();
   ++at_;
   return true;
+}
+
+void CsvReader::require_line_end() const {
+  if (!at_line_end()) fail(here(), "a carriage return alone", "LF or CRLF at line ends");
 }
 
 bool is_missing(std::string_view text) {

@@ -85,6 +85,7 @@ class CsvReader {
   void read_field(std::string& field);
   void read_quoted(std::string& field);
   bool at_line_end() const;
+  void require_line_end() const;
   void end_line();
   bool take_separator();
 
@@ -104,7 +105,8 @@ class CsvReader {
 // True if a comment marks the data as simulated: it has this word, in any case.
 bool says_simulated(std::string_view text);
 
-// Replaces characters that would break a message of one line.
+// Replaces control characters, which would break a line or change a terminal, and bytes that are
+// not UTF-8.
 std::string one_line(std::string text);
 // The same, shortened to some forty bytes.
 std::string for_message(std::string_view text);

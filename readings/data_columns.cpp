@@ -51,10 +51,8 @@ void require_noise(Header& header, const ReadingOptions& options) {
                  .expected = "the column whose noise is given"});
   }
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const auto given =
-        std::count_if(options.noise.begin(), options.noise.end(),
-                      [&](const ColumnNoise& noise) { return is_noise_of(noise, columns[i]); });
-    if (given > 1) header.fail_column(i, fmt::format("one noise, and {} are given", given));
+    const auto is_meant = [&](const ColumnNoise& noise) { return is_noise_of(noise, columns[i]); };
+    header.require_one(i, std::ranges::count_if(options.noise, is_meant), "noise");
   }
 }
 

@@ -153,12 +153,14 @@ std::optional<RowCells::Numbers> RowCells::numbers(const CsvRow& row) {
   return result;
 }
 
+bool says_tare(std::string_view name) { return lower(trimmed(name)) == "tare"; }
+
 bool RowCells::is_tare(const CsvRow& row) const {
-  const auto says_tare = [&](DataRole role) {
+  const auto cell_says_tare = [&](DataRole role) {
     const auto column = find_column(columns_, role);
-    return column && lower(trimmed(row.fields[*column])) == "tare";
+    return column && says_tare(row.fields[*column]);
   };
-  return says_tare(DataRole::run) || says_tare(DataRole::routing);
+  return cell_says_tare(DataRole::run) || cell_says_tare(DataRole::routing);
 }
 
 std::optional<double> RowCells::number(const CsvRow& row, std::size_t column) {

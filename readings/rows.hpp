@@ -66,6 +66,9 @@ class Tare {
   std::vector<std::size_t> lines_;
 };
 
+// True if a run or a routing of this name marks a row of zeros.
+bool says_tare(std::string_view name);
+
 class RowCells {
  public:
   using Numbers = std::vector<std::optional<double>>;

@@ -185,16 +185,15 @@ std::string dimension_list(const Network& network, const Hardware& hardware) {
   return list + (names.size() > most ? ", …" : "");
 }
 
-// Each named dimension must be in some routing; without names, one of the quantity.
-bool is_somewhere(const DimensionName& name, const std::vector<Network>& networks,
-                  const Hardware& hardware) {
+// Each named dimension must be so in some routing; without names, one of the quantity.
+template <typename IsSo>
+bool is_somewhere(const DimensionName& name, const std::vector<Network>& networks, IsSo is_so) {
   const auto has = [&](const DimensionName& one) {
-    return std::any_of(networks.begin(), networks.end(), [&](const Network& network) {
-      return !covered(network, hardware, one).empty();
-    });
+    return std::ranges::any_of(networks,
+                               [&](const Network& network) { return is_so(network, one); });
   };
   if (name.named.empty()) return has(name);
-  return std::all_of(name.named.begin(), name.named.end(), [&](const SizedDimension& dimension) {
+  return std::ranges::all_of(name.named, [&](const SizedDimension& dimension) {
     return has({name.quantity, {dimension}});
   });
 }
@@ -253,25 +252,26 @@ void require_ranges_to_match(const std::vector<Routing>& routings, const Hardwar
   const std::string there = fmt::format(
       "dimensions of {}{}: {}", routings.size() > 1 ? "one of the routings, such as those of " : "",
       to_word(routings.front()), dimension_list(networks.front(), hardware));
+  const auto is_there = [&](const Network& network, const DimensionName& name) {
+    return !covered(network, hardware, name).empty();
+  };
   for (const VariedRange& range : ranges) {
-    if (!is_somewhere(range.name, networks, hardware)) {
+    if (!is_somewhere(range.name, networks, is_there)) {
       throw InputError({.what = range.text, .expected = there});
     }
   }
   for (const Network& network : networks) {
     require_none_hidden(network, hardware, size_space(network, hardware, ranges, equal));
   }
-  for (const EqualGroup& group : equal) {
-    const bool is_varied = std::any_of(networks.begin(), networks.end(), [&](const Network& net) {
-      const SizeSpace space = size_space(net, hardware, ranges, {});
-      const auto members = covered(net, hardware, group.name);
-      return std::any_of(members.begin(), members.end(), [&](const PlacedDimension& member) {
-        return std::any_of(
-            space.dimensions.begin(), space.dimensions.end(),
-            [&](const PlacedDimension& one) { return one.dimension == member.dimension; });
-      });
+  const auto is_varied = [&](const Network& network, const DimensionName& name) {
+    const SizeSpace space = size_space(network, hardware, ranges, {});
+    return std::ranges::any_of(covered(network, hardware, name), [&](const PlacedDimension& one) {
+      return std::ranges::find(space.dimensions, one.dimension, &PlacedDimension::dimension) !=
+             space.dimensions.end();
     });
-    if (!is_varied)
+  };
+  for (const EqualGroup& group : equal) {
+    if (!is_somewhere(group.name, networks, is_varied))
       throw InputError({.what = group.text, .expected = "dimensions that are varied"});
   }
 }

@@ -26,9 +26,14 @@ std::size_t line_of_label(const LoggedSeries& series, std::size_t label) {
 // Checks the labels of one stretch of the log.
 class LabelCheck {
  public:
-  // Both must outlive it.
-  LabelCheck(const LoggedSeries& series, std::size_t label, FaultList& faults)
-      : series_(series), label_(label), line_(line_of_label(series, label)), faults_(faults) {}
+  // All must outlive it.
+  LabelCheck(const LoggedSeries& series, std::size_t label, const std::string& start,
+             FaultList& faults)
+      : series_(series),
+        label_(label),
+        start_(start),
+        line_(line_of_label(series, label)),
+        faults_(faults) {}
 
   // Returns the result of the action. An input error of a logged cell goes into the list of faults;
   // one of a given label is thrown, since it holds for every stretch.
@@ -40,7 +45,7 @@ class LabelCheck {
     } catch (const InputError& error) {
       if (!is_logged) {
         throw InputError(changed(error.fault(), one_line))
-            .at(InputFault{.what = column, .value = for_message(value)});
+            .at(InputFault{.what = start_ + column, .value = for_message(value)});
       }
       add(line_, column, cell_error(error, series_.file, line_, column, value).fault());
       return std::nullopt;
@@ -76,6 +81,7 @@ class LabelCheck {
 
   const LoggedSeries& series_;
   std::size_t label_;
+  const std::string& start_;
   std::size_t line_;
   FaultList& faults_;
 };
@@ -113,15 +119,18 @@ Network network_of(const std::string& routing, const RoutingResolver& resolve) {
 
 std::string run_of(const std::string& text) {
   if (text.empty()) throw InputError({.expected = "a name or number for the run"});
+  if (says_tare(text)) {
+    throw InputError({.expected = "another name: a row of that run holds the sensors' zeros"});
+  }
   return text;
 }
 
 void validate_labels(const LoggedSeries& series, const std::vector<LogLabels>& labels,
-                     const RoutingResolver& resolve) {
+                     const std::string& start, const RoutingResolver& resolve) {
   FaultList faults;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const LogLabels& label = labels[i];
-    LabelCheck check(series, i, faults);
+    LabelCheck check(series, i, start, faults);
     check.at("run", series.has_runs, label.run, [&] { return run_of(label.run); });
     const auto network = check.at("routing", series.has_routings, label.routing,
                                   [&] { return network_of(label.routing, resolve); });
@@ -139,14 +148,14 @@ void validate_labels(const LoggedSeries& series, const std::vector<LogLabels>& l
 
 void require_labels(const LoggedSeries& series, const ImportLabels& given,
                     const RoutingResolver& resolve) {
-  validate_labels(series, filled_in(series, given), resolve);
+  validate_labels(series, filled_in(series, given), given.start, resolve);
 }
 
 ImportReport import_study(LoggedSeries series, const ImportLabels& given,
                           const SteadyOptions& options, const RoutingResolver& resolve) {
   ImportReport report;
   report.labels = filled_in(series, given);
-  validate_labels(series, report.labels, resolve);
+  validate_labels(series, report.labels, given.start, resolve);
   report.steady = steady_readings(series, options);
   report.series = std::move(series);
   report.options = options;

@@ -13,9 +13,10 @@ namespace reeve::studies {
 
 // Labels of the whole log, each for a column that the log lacks.
 struct ImportLabels {
-  std::optional<std::string> run;
-  std::optional<std::string> routing;
-  std::optional<std::string> held;
+  std::optional<std::string> run = {};
+  std::optional<std::string> routing = {};
+  std::optional<std::string> held = {};
+  std::string start = {};  // of the names of these labels in messages, such as "--"
 };
 
 struct ImportReport {

@@ -68,6 +68,7 @@ int run(const CompareFlags& flags, const CLI::App&) {
 void add_options(CLI::App& command, CompareFlags& flags) {
   command
       .add_option("data", flags.data, "CSV file of readings; docs/data.md describes its columns")
+      ->check(names_a_file)
       ->required();
   flags.out_given = command.add_option(
       "--out", flags.out, "Folder for residuals.csv and comparison.json (default: none written)");

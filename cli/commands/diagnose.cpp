@@ -8,6 +8,7 @@
 
 #include "catalog/model_file.hpp"
 #include "cli/api.hpp"
+#include "cli/choice.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/reading_flags.hpp"
@@ -16,7 +17,6 @@
 #include "cli/printing.hpp"
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
-#include "core/text.hpp"
 #include "pages/diagnosis/diagnosis_page.hpp"
 #include "pages/shell/result_files.hpp"
 #include "readings/csv.hpp"
@@ -74,16 +74,17 @@ void require_places(const DiagnoseFlags& flags) {
   std::vector<InputFile> inputs{{flags.data, "the data"}};
   flags.hardware.list_in(inputs);
   if (flags.terms_given->count() > 0) inputs.push_back({flags.terms, "the terms"});
+  if (flags.save_model_given->count() > 0) {
+    require_file_can_be_written(flags.save_model, "--save-model");
+    require_not_an_input(flags.save_model, inputs, "--save-model");
+    inputs.push_back(written_by("--save-model", flags.save_model));
+  }
   if (flags.out_given->count() > 0) {
     require_folder_can_be_written(flags.out, "--out");
     if (std::filesystem::is_directory(flags.out)) {
       require_file_can_be_written(flags.page_file(), "--out");
     }
     require_no_input_in(flags.out, {"diagnosis.json", "residuals.csv", "index.html"}, inputs);
-  }
-  if (flags.save_model_given->count() > 0) {
-    require_file_can_be_written(flags.save_model, "--save-model");
-    require_not_an_input(flags.save_model, inputs, "--save-model");
   }
 }
 
@@ -175,32 +176,19 @@ int run(const DiagnoseFlags& flags, const CLI::App& command) {
   return result.result.verdict == Verdict::too_few ? answer_is_no : done;
 }
 
-// A check of CLI11's; it lets no NaN pass.
-CLI::Validator number(double low, bool or_low, double high) {
-  return CLI::Validator(
-      [=](const std::string& text) {
-        const auto value = number_in(text);
-        if (value && (or_low ? *value >= low : *value > low) && *value <= high)
-          return std::string();
-        return fmt::format("Value {}: expected a number {} {} and at most {}", text.substr(0, 40),
-                           or_low ? "from" : "above", low, high);
-      },
-      "", "");
-}
-
 void add_settings(CLI::App& command, DiagnoseFlags& flags) {
   DiagnosisSettings& settings = flags.settings;
   command
       .add_option("--alpha", settings.alpha,
                   "Significance level of a coefficient that differs; a quarter of it for "
                   "further structure")
-      ->check(number(least_alpha, true, 0.5))
+      ->check(number_from(least_alpha, 0.5))
       ->capture_default_str();
   command
       .add_option(
           "--hold-out", settings.hold_out,
           "Share of the runs held out from the search, for a final test of the gain (0: cross-validation)")
-      ->check(number(0, true, 0.9))
+      ->check(number_from(0, 0.9))
       ->capture_default_str();
   command
       .add_option("--seed", settings.seed, "Seed of the folds of runs and of simulated data sets")
@@ -218,10 +206,13 @@ void add_settings(CLI::App& command, DiagnoseFlags& flags) {
           "--mounting-scatter", settings.mounting_scatter,
           "Relative scatter of friction exponents between mountings, such as 0.05 (default: "
           "estimated)")
-      ->check(number(0, true, 1));
-  flags.terms_given = command.add_option(
-      "--terms", flags.terms,
-      "TOML file with laws, [[law]] as in a model file, that the search tries besides its causes");
+      ->check(number_from(0, 1));
+  flags.terms_given =
+      command
+          .add_option("--terms", flags.terms,
+                      "TOML file with laws, [[law]] as in a model file, that the search tries "
+                      "besides its causes")
+          ->check(names_a_file);
   command.add_flag("--as-readings", flags.as_readings,
                    "Take each row as a reading even where the file looks like a time series");
   command.add_flag("--generated-routings", flags.generated_routings,
@@ -232,6 +223,7 @@ void add_settings(CLI::App& command, DiagnoseFlags& flags) {
 void add_options(CLI::App& command, DiagnoseFlags& flags) {
   command
       .add_option("data", flags.data, "CSV file of readings; docs/data.md describes its columns")
+      ->check(names_a_file)
       ->required();
   add_settings(command, flags);
   add_threads(command, flags.threads);

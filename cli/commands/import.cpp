@@ -23,7 +23,7 @@ namespace {
 struct ImportFlags {
   std::string log;
   ReadingFlags columns;
-  ImportLabels labels;
+  ImportLabels labels{.start = "--"};
   SteadyOptions options;
   std::string direction;
   std::string out;
@@ -36,13 +36,15 @@ struct ImportFlags {
 };
 
 void require_places(const ImportFlags& flags) {
-  const auto require = [&](const CLI::Option* given, const std::string& file, const char* option) {
+  std::vector<InputFile> taken{{flags.log, "the data"}};
+  const auto take = [&](const CLI::Option* given, const std::string& file, const char* option) {
     if (given->count() == 0) return;
     require_file_can_be_written(file, option);
-    require_not_an_input(file, {{flags.log, "the data"}}, option);
+    require_not_an_input(file, taken, option);
+    taken.push_back(written_by(option, file));
   };
-  require(flags.out_given, flags.out, "-o");
-  require(flags.plot_given, flags.plot, "--plot");
+  take(flags.out_given, flags.out, "-o");
+  take(flags.plot_given, flags.plot, "--plot");
   require_svg(flags.plot, "--plot");
 }
 
@@ -137,12 +139,12 @@ void add_steadiness(CLI::App& command, SteadyOptions& options) {
   command
       .add_option("--min-duration", options.min_duration_s,
                   "Least duration of a reading in seconds")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(number_from(0.1, 3600))
       ->capture_default_str();
   command
       .add_option("--tolerance", options.tolerance,
                   "Greatest relative change of a steady tension, besides its noise")
-      ->check(CLI::Range(0.0001, 0.5))
+      ->check(number_from(0.0001, 0.5))
       ->capture_default_str();
   command
       .add_option("--readings-per-stroke", options.readings_per_stroke,
@@ -157,6 +159,7 @@ void add_options(CLI::App& command, ImportFlags& flags) {
   command
       .add_option("log", flags.log,
                   "CSV file with a row for each sample; docs/logger.md describes its columns")
+      ->check(names_a_file)
       ->required();
   flags.out_given = command.add_option("-o,--output", flags.out,
                                        "CSV file for the readings (default: none written)");

@@ -276,6 +276,7 @@ void add_options(CLI::App& command, RankFlags& flags) {
           .add_option("--data", flags.data,
                       "CSV file of readings to draw on the page beside the model's tensions; see "
                       "docs/data.md")
+          ->check(names_a_file)
           ->needs(out);
   flags.readings.add_to(command, flags.data_given);
   command

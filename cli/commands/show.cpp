@@ -94,6 +94,7 @@ void require_places(const ShowFlags& flags) {
   flags.model.list_in(inputs);
   flags.prices.list_in(inputs);
   flags.svg.require_apart_from(inputs);
+  flags.svg.list_in(inputs);
   flags.out.require_apart_from(inputs, {"index.html", "routing.json"});
 }
 

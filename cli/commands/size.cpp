@@ -103,8 +103,10 @@ void add_search(CLI::App& command, SizeFlags& flags) {
 
 void add_options(CLI::App& command, SizeFlags& flags) {
   command.add_option("routing", flags.routings, "Catalogue names or words");
-  flags.from_given = command.add_option(
-      "--from", flags.from, "Folder of an exploration, whose best designs are sized too");
+  flags.from_given = command
+                         .add_option("--from", flags.from,
+                                     "Folder of an exploration, whose best designs are sized too")
+                         ->check(names_a_file);
   command.add_option("--top", flags.top, "Number of designs of --from")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
       ->needs(flags.from_given)
@@ -290,10 +292,11 @@ std::vector<InputFile> inputs_of(const SizeFlags& flags) {
 }
 
 void require_places(const SizeFlags& flags) {
-  const std::vector<InputFile> inputs = inputs_of(flags);
+  std::vector<InputFile> inputs = inputs_of(flags);
   if (flags.save_given->count() > 0) {
     require_file_can_be_written(flags.save, "--save-hardware");
     require_not_an_input(flags.save, inputs, "--save-hardware");
+    inputs.push_back(written_by("--save-hardware", flags.save));
   }
   flags.out.require_apart_from(inputs, {"index.html", "sizing.json"});
 }

@@ -58,17 +58,28 @@ bool is_free_name(const std::string& name) {
   return !name.empty() && !is_known && name != "repeat" && name != "order" && name != "run";
 }
 
+// No file of readings has a column of another name.
+void require_readable(const std::string& name, const InputFault& given) {
+  try {
+    require_short_name(name);
+    if (first_not_utf8(name)) throw InputError({.expected = "a name in UTF-8"});
+  } catch (const InputError& error) {
+    throw error.at(given);
+  }
+}
+
 // "humidity_pct=20:80"
 PlannedColumn read_column(const std::string& option, const std::string& text, bool by_run) {
   constexpr double greatest = 1e12;
   const std::size_t equals = text.find('=');
-  PlannedColumn column{text.substr(0, equals), {}, by_run};
+  PlannedColumn column{std::string(trimmed(std::string_view(text).substr(0, equals))), {}, by_run};
   if (equals == std::string::npos || !is_free_name(column.name)) {
     throw InputError({.what = option,
                       .value = text,
                       .expected = "a name that means nothing else and its values, such as "
                                   "humidity_pct=20:80"});
   }
+  require_readable(column.name, {.what = option, .value = text});
   column.levels = read_levels(option, text.substr(equals + 1), {-greatest, greatest});
   return column;
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/choice.hpp"
 #include "cli/inputs.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -18,18 +19,9 @@ namespace {
 
 constexpr double greatest_coefficient = 10;
 
-// CLI11's own ranges take what is no number.
-std::string is_coefficient(const std::string& text) {
-  double mu = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, mu);
-  const bool is_fine = error == std::errc{} && rest == end && mu >= 0 && mu <= greatest_coefficient;
-  return is_fine ? "" : fmt::format("Value {} not in range 0 to {}", text, greatest_coefficient);
-}
-
 CLI::Option* add_coefficient(CLI::App& command, const std::string& name,
                              std::optional<double>& value, const std::string& help) {
-  return command.add_option(name, value, help)->check(CLI::Validator(is_coefficient, ""));
+  return command.add_option(name, value, help)->check(number_from(0, greatest_coefficient));
 }
 
 }  // namespace

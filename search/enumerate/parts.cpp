@@ -42,10 +42,13 @@ std::vector<Kind> parse(const std::string& option, const std::string& text,
            .expected = fmt::format("a comma-separated list of {}{}", fmt::join(labels, ", "),
                                    did_you_mean(item, labels))});
     }
+    if (std::ranges::find(kinds, found->second) != kinds.end()) {
+      throw InputError({.where = fmt::format("{} '{}'", option, text),
+                        .what = fmt::format("'{}' is named twice", item)});
+    }
     kinds.push_back(found->second);
   }
   std::sort(kinds.begin(), kinds.end());
-  kinds.erase(std::unique(kinds.begin(), kinds.end()), kinds.end());
   return kinds;
 }
 

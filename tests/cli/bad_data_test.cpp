@@ -57,6 +57,9 @@ TEST(BadData, ThatAreInLatin1AreRefusedByEveryCommand) {
 TEST(BadData, OfADiagnosisAreNamedBeforeTheWork) {
   expect_all_bad({
       {"diagnose", "data is required"},
+      {"diagnose ''", "data: Value '': expected a file or folder; see reeve diagnose --help"},
+      {"compare ''", "data: Value '': expected a file or folder; see reeve compare --help"},
+      {"diagnose ok.csv --terms ''", "--terms: Value '': expected a file or folder"},
       {"diagnose --out out --save-model model.toml none.csv",
        "none.csv: cannot be read: No such file or directory"},
       {"diagnose --out out --save-model model.toml empty.csv", "empty.csv: "},
@@ -68,6 +71,12 @@ TEST(BadData, OfADiagnosisAreNamedBeforeTheWork) {
        "--unit: 'stone': expected a unit of force (N, "},
       {"diagnose --out out --save-model model.toml ok.csv --map T1_N",
        "--map: 'T1_N': expected a column of the file, '=', "},
+      {"diagnose ok.csv --map T1_N=T1 --map T1_N=T2",
+       "ok.csv:1: column 4 'T1_N': expected one meaning, and 2 are given"},
+      {"compare ok.csv --unit lbf --unit N",
+       "ok.csv:1: the unit of all tensions: expected one unit, and 2 are given"},
+      {"compare ok.csv --unit T1=kgf --unit T1_N=N",
+       "ok.csv:1: column 4 'T1_N': expected one unit, and 2 are given"},
       {"diagnose --out out --save-model model.toml ok.csv --terms none.toml",
        "none.toml: cannot be"},
       {"diagnose --out out --save-model model.toml ok.csv --group winch",
@@ -110,16 +119,16 @@ TEST(BadOption, OfADiagnosisIsNamedWithItsRange) {
                          const std::string& message) {
     return BadLine{{"diagnose", "ok.csv", name, value}, message};
   };
-  const std::string alpha = ": expected a number from 0.0001 and at most 0.5";
-  const std::string hold_out = ": expected a number from 0 and at most 0.9";
+  const std::string alpha = "': expected a number from 0.0001 to 0.5";
+  const std::string hold_out = "': expected a number from 0 to 0.9";
   expect_all_bad({
-      option("--alpha", "0", "--alpha: Value 0" + alpha),
-      option("--alpha", "0.6", "--alpha: Value 0.6" + alpha),
-      option("--alpha", "0.00009", "--alpha: Value 0.00009" + alpha),
-      option("--alpha", "nan", "--alpha: Value nan" + alpha),
-      option("--alpha", "5%", "--alpha: Value 5%" + alpha),
-      option("--hold-out", "-0.1", "--hold-out: Value -0.1" + hold_out),
-      option("--hold-out", "1", "--hold-out: Value 1" + hold_out),
+      option("--alpha", "0", "--alpha: Value '0" + alpha),
+      option("--alpha", "0.6", "--alpha: Value '0.6" + alpha),
+      option("--alpha", "0.00009", "--alpha: Value '0.00009" + alpha),
+      option("--alpha", "nan", "--alpha: Value 'nan" + alpha),
+      option("--alpha", "5%", "--alpha: Value '5%" + alpha),
+      option("--hold-out", "-0.1", "--hold-out: Value '-0.1" + hold_out),
+      option("--hold-out", "1", "--hold-out: Value '1" + hold_out),
       option("--seed", "-1", "--seed: Value -1 is negative: expected a whole number from 0"),
       option("--seed", "18446744073709551616",
              "--seed: Value 18446744073709551616 is too large: expected a whole number to "

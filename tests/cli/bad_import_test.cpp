@@ -36,6 +36,9 @@ TEST(BadImport, NamesAnOptionThatItCannotTake) {
       {"import ok.csv --direction back", "--direction"},
       {"import ok.csv -o ok.csv", "would be written over the data"},
       {"import ok.csv --plot ok.csv", "would be written over the data"},
+      {"import ok.csv -o a.csv --plot ./a.csv",
+       "--plot: './a.csv' would be written over the file of -o: expected another place"},
+      {"import ''", "log: Value '': expected a file or folder"},
       {"import ok.csv -o none/readings.csv", "-o 'none/readings.csv': expected a file that"},
       {"import ok.csv -o no_catalog", "-o 'no_catalog': expected the name of a file"},
   });
@@ -47,16 +50,20 @@ TEST(BadImport, NamesAnImpossibleLabel) {
                  "M-1-T-2-F in each row, or given by --routing");
   expect_refused(
       plain, {"--routing", "TR1", "--held", "3"},
-      "held '3': expected nothing (none held), or finger numbers from 1 to 2, each once, such as "
+      "--held '3': expected nothing (none held), or finger numbers from 1 to 2, each once, such as "
       "1;2");
   expect_refused(plain, {"--routing", "TR1", "--run", ""},
-                 "run '': expected a name or number for the run");
+                 "--run '': expected a name or number for the run");
+  expect_refused(plain, {"--routing", "TR1", "--run", "Tare"},
+                 "--run 'Tare': expected another name: a row of that run holds the sensors' zeros");
   expect_refused("t,routing,motor_tension_N,T1_N\n0,TR1,20,6\n1,TR,20,6\n", {"--routing", "TR1"},
                  "log.csv: the log has a column 'routing', and 'TR1' is given too: expected one of "
                  "them");
   expect_refused("t,routing,motor_tension_N,T1_N\n0,TR1,20,6\n1,,20,6\n", {},
                  "log.csv:3: column 'routing' = '': expected a routing such as M-1-T-2-F, in a "
                  "column of the log or given");
+  expect_refused(plain, {"--routing", "TR1", "--map", "T1_N=T1", "--map", "T1_N=T2"},
+                 "log.csv:1: column 3 'T1_N': expected one meaning, and 2 are given");
   expect_refused("t,direction,motor_tension_N,T1_N\n0,,20,6\n1,up,20,6\n", {"--routing", "TR1"},
                  "log.csv:3: column 'direction' = 'up': expected pull, release, or an empty cell");
   expect_refused("t,motor_tension_N,T5_N\n0,20,\n1,20,6\n", {"--routing", "TR1"},

@@ -113,19 +113,51 @@ TEST(BadShowOption, IsNamedWithItsValueAndWhatWasExpected) {
   });
 }
 
-// As C reads them, 010 is eight and 0x10 sixteen.
-TEST(BadNumber, BeginsWithAZero) {
-  const std::string expected = " begins with 0: expected a whole number such as 10; see reeve";
+// As C reads them, 010 is eight and 0x10 sixteen, an empty text zero and "true" one.
+TEST(BadNumber, IsNotWrittenInDecimalDigits) {
+  const std::string whole = "': expected a whole number such as 10; see reeve";
+  const std::string number = "': expected a number from ";
   expect_all_bad({
-      {"explore --out out --fingers 010", "--fingers: Value 010" + expected},
-      {"explore --out out --top 0x10", "--top: Value 0x10" + expected},
-      {"explore --out out --details 00012", "--details: Value 00012" + expected},
-      {"explore --out out --seed -010", "--seed: "},
-      {"count --fingers 08", "--fingers: Value 08" + expected},
-      {"rank TR1 --draws 0100", "--draws: Value 0100" + expected},
-      {"size TR1 --vary tip_angle=1..4 --starts 02", "--starts: Value 02"},
+      {"explore --out out --fingers 010", "--fingers: Value '010" + whole},
+      {"explore --out out --fingers 1.5", "--fingers: Value '1.5" + whole},
+      {"explore --out out --fingers true", "--fingers: Value 'true" + whole},
+      {"explore --out out --fingers ''", "--fingers: Value '" + whole},
+      {{"explore", "--out", "out", "--fingers", " 3"}, "--fingers: Value ' 3" + whole},
+      {"explore --out out --top 0x10", "--top: Value '0x10" + whole},
+      {"explore --out out --details 00012", "--details: Value '00012" + whole},
+      {"explore --out out --seed -010", "--seed: Value '-010" + whole},
+      {"explore --out out --uncertainty --seed ''", "--seed: Value '" + whole},
+      {"simulate --routings TR1 --seed ''", "--seed: Value '" + whole},
+      {"simulate --routings TR1 --seed 1.5", "--seed: Value '1.5" + whole},
+      {"diagnose ok.csv --seed=", "--seed: Value '" + whole},
+      {"count --fingers 08", "--fingers: Value '08" + whole},
+      {"rank TR1 --draws 0100", "--draws: Value '0100" + whole},
+      {"size TR1 --vary tip_angle=1..4 --starts 02", "--starts: Value '02" + whole},
+      {"size TR1 --vary tip_angle=1..4 --seed ''", "--seed: Value '" + whole},
+      {"show TR1 --mu ''", "--mu: Value '" + number},
+      {"show TR1 --mu 0x1", "--mu: Value '0x1" + number},
+      {"diagnose ok.csv --hold-out 5%", "--hold-out: Value '5%" + number},
+      {"import ok.csv --min-duration nan",
+       "--min-duration: Value 'nan': expected a number from 0.1 to 3600; see reeve import --help"},
+      {"import ok.csv --min-duration 0x10", "--min-duration: Value '0x10" + number},
+      {"import ok.csv --tolerance nan", "--tolerance: Value 'nan" + number},
+      {"import ok.csv --tolerance ''", "--tolerance: Value '" + number},
   });
   EXPECT_EQ(reeve("rank TR1 --threads 0").exit_code, 0);
+}
+
+// expect_bad() looks at the line.
+TEST(BadArgument, CannotBreakTheLineOfAnErrorOrChangeATerminal) {
+  expect_all_bad({
+      {{"show", "TR\n1"}, "'TR?1'"},
+      {{"show", "M-1-\x1B[2J"}, "?[2J"},
+      {{"show", "M-1-\xFC"}, "M-1-?"},
+      {{"show", "TR1", "--out", "empty.toml/a\n\r\tb"}, "--out 'empty.toml/a???b': "},
+      {{"show", "TR1", "--format", "x\ny"}, "--format: x?y not in "},
+      {{"compare", "no\nfile.csv"}, "no?file.csv: cannot be read"},
+      {{"show", "TR1", "more\n"}, "more?"},
+      {{"exp\nlore"}, "exp?lore"},
+  });
 }
 
 // expect_bad() looks at the length of the message.
@@ -158,12 +190,13 @@ TEST(BadExploreOption, IsNamedWithItsValueAndWhatWasExpected) {
       {"explore --out out --shard half", "--shard 'half" + shard},
       {"explore --out out --fingers 0", "--fingers: Value 0" + fingers},
       {"explore --out out --fingers 65", "--fingers: Value 65" + fingers},
-      {"explore --out out --fingers abc", "--fingers: Value abc" + fingers},
-      {"explore --out out --fingers 1e3", "--fingers: Value 1e3" + fingers},
       {"explore --out out --parts none", "--parts: none not in {paper,full,all,field}"},
       {"explore --out out --tips glass",
        "--tips 'glass': 'glass': expected a comma-separated list of tube, bearing"},
       {"explore --out out --tips ''", "--tips '': expected at least one of tube, bearing"},
+      {"explore --out out --tips tube,tube", "--tips 'tube,tube': 'tube' is named twice"},
+      {"explore --out out --joins T,B,T", "--joins 'T,B,T': 'T' is named twice"},
+      {"explore --out out --beside-ends P,P", "--beside-ends 'P,P': 'P' is named twice"},
       {"explore --out out --joins T,,P",
        "--joins 'T,,P': '': expected a comma-separated list of T, B"},
       {"explore --out out --joins '' --ends ''",
@@ -184,7 +217,7 @@ TEST(BadExploreOption, IsNamedWithItsValueAndWhatWasExpected) {
       {"explore --out out --details -1", "--details: Value -1 not in range 0 to 100000"},
       {"explore --out out --threads -1", "--threads: Value -1 not in range 0 to 1024"},
       {"explore --out out --draws 0", "--draws: Value 0 not in range 1 to 100000"},
-      {"explore --out out --seed 1.5", "--seed = 1.5"},
+      {"explore --out out --seed 1.5", "--seed: Value '1.5'"},
       {"explore --out out --grasps 9", "'9': " + held},
       {"explore --out out --grasps some", "'some': expected single, all, paper, or held fingers"},
       {"explore --out out --grasps 1:0",
@@ -226,7 +259,7 @@ TEST(BadPageOfARanking, IsRefusedBeforeAnythingIsWritten) {
       "expected friction coefficients from 0 to 1, or 'model', such as 0.18,0.09,model";
   expect_all_bad({
       {rank("--data missing.csv"), "missing.csv: cannot be read"},
-      {rank("--data ''"), "cannot be read"},
+      {rank("--data ''"), "--data: Value '': expected a file or folder; see reeve rank --help"},
       {rank("--data cell.csv"), "cell.csv:2"},
       {rank("--data name.csv"), "TR9"},
       {rank("--data ok.csv"), "ok.csv: there is nothing to draw: expected readings"},
@@ -248,6 +281,8 @@ TEST(BadRank, IsNamedWithTheRoutings) {
        "--family 'toys': expected one of paper, benches, gloves, hands, hauls, tackles"},
       {"rank --catalogue --family hands --fingers 7",
        "--fingers '7': expected as many as a mechanism of the family hands has: 1, 2, 3, 4, 5"},
+      {"rank --catalogue --fingers 9",
+       "--fingers '9': expected as many as a routing of the family paper has: 2"},
       {"rank TR1 --family hands", "--family requires --catalogue"},
       {"check --family ''", "--family '': expected one of paper, benches"},
       {"rank TR1 TR1", "routing 'M-1-T-2-F' is given twice"},
@@ -294,7 +329,7 @@ TEST(BadUsage, PointsToTheHelp) {
       {"count --parts all --fingers 30", "--fingers 30: these parts"},
       {"count --blocks 9", "--blocks: Value 9 not in range 0 to 8"},
       {"count --blocks -1", "--blocks: Value -1 not in range 0 to 8"},
-      {"count --blocks one", "--blocks: Value one"},
+      {"count --blocks one", "--blocks: Value 'one'"},
       {"count --linked --blocks 1", "--linked with --blocks 1: expected --blocks 2 at least"},
       {"explore --series --blocks 1", "--series with --blocks 1: expected --blocks 2 at least"},
       {"count --bars --parts paper", "--bars with --blocks 0: expected --blocks 1 at least"},

@@ -116,9 +116,10 @@ TEST(SheathLength, IsSaidToHaveNoEffect) {
 TEST(BadFriction, IsNamedWithItsOption) {
   const std::string angle = "expected an angle such as 180deg or 3.14rad";
   testing::expect_all_bad({
-      {"show TR1 --mu nan", "--mu: Value nan not in range 0 to 10; see reeve show --help"},
-      {"show TR1 --tube-mu -1", "--tube-mu: Value -1 not in range 0 to 10"},
-      {"rank TR1 TR7 --sheath-mu 11", "--sheath-mu: Value 11 not in range 0 to 10"},
+      {"show TR1 --mu nan",
+       "--mu: Value 'nan': expected a number from 0 to 10; see reeve show --help"},
+      {"show TR1 --tube-mu -1", "--tube-mu: Value '-1': expected a number from 0 to 10"},
+      {"rank TR1 TR7 --sheath-mu 11", "--sheath-mu: Value '11': expected a number from 0 to 10"},
       {"show TR1 --sheath-bend 180", "--sheath-bend '180': " + angle},
       {"explore --sheath-bend 180grad", "--sheath-bend '180grad': " + angle},
       {"size TR1 --vary tip_angle=1..4 --sheath-bend ''", "--sheath-bend '': " + angle},

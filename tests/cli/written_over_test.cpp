@@ -100,6 +100,32 @@ TEST(Outputs, NeverReplaceTheHardwareFileOfADiagnosis) {
                          "--out 'o': 'o/comparison.json' would be written over the data"});
 }
 
+TEST(Outputs, NeverReplaceEachOther) {
+  struct Twice {
+    Arguments arguments;
+    std::string message;
+  };
+  const std::vector<Twice> cases{
+      {"show TR1 --out o --svg ./o/index.html",
+       "--out 'o': 'o/index.html' would be written over the file of --svg"},
+      {"show TR1 --out o --svg o/figures/a.svg",
+       "--out 'o': 'o/figures/a.svg' would be written over the file of --svg"},
+      {"size TR1 --vary tip_angle=1..4 --out o --save-hardware o/sizing.json",
+       "--out 'o': 'o/sizing.json' would be written over the file of --save-hardware"},
+      {"diagnose readings.csv --out o --save-model o/../o/diagnosis.json",
+       "--out 'o': 'o/diagnosis.json' would be written over the file of --save-model"},
+  };
+  for (const Twice& tried : cases) {
+    const TemporaryFolder folder;
+    folder.write("readings.csv", data);
+    fs::create_directories(folder.path() / "o" / "figures");
+    const ProcessResult result = run_in(folder, tried.arguments);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.err, "reeve: " + tried.message + ": expected another place\n");
+    EXPECT_FALSE(fs::exists(folder.path() / "o" / "index.html"));
+  }
+}
+
 TEST(Outputs, NeverReplaceAnInputBehindALink) {
   const TemporaryFolder folder;
   folder.write("h.toml", hardware);

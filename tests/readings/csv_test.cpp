@@ -148,6 +148,8 @@ TEST(BadCsv, NamesBytesThatAreNoText) {
             "d.csv:1:4: " + expected);
   EXPECT_EQ(error_in("a,b\r1,2\r"),
             "d.csv:1:4: a carriage return alone: expected LF or CRLF at line ends");
+  EXPECT_EQ(error_in("# c\ra,b\r1,2\r"),
+            "d.csv:1:4: a carriage return alone: expected LF or CRLF at line ends");
 }
 
 TEST(BadCsv, NamesTheFirstByteThatIsNoUtf8AndWhatTheFileLooksLike) {
@@ -191,6 +193,7 @@ TEST(CsvFile, ThatCannotBeReadIsNamed) {
 
 TEST(ForMessage, ShortensAndReplacesWhatBreaksLines) {
   EXPECT_EQ(for_message("a\nb\x7F"), "a?b?");
+  EXPECT_EQ(one_line("\xFC\xC3\xBC\xE2\x86x"), "?\xC3\xBC??x");
   EXPECT_EQ(for_message(std::string(50, 'x')), std::string(40, 'x') + "…");
   EXPECT_EQ(for_message(std::string(39, 'x') + "ä"), std::string(39, 'x') + "…");
 }

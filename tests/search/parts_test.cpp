@@ -34,10 +34,19 @@ TEST(Parts, ParsedListsPrintBack) {
   }
 }
 
-TEST(Parts, ParsedListsAreSortedAndWithoutRepeats) {
-  EXPECT_EQ(parse_tips("bearing,tube,bearing"), full_parts().tips);
-  EXPECT_EQ(parse_joins("P,T,B,T,P"), full_parts().joins);
-  EXPECT_EQ(parse_ends("F,M,F"), full_parts().ends);
+TEST(Parts, ParsedListsAreSorted) {
+  EXPECT_EQ(parse_tips("bearing,tube"), full_parts().tips);
+  EXPECT_EQ(parse_joins("P,T,B"), full_parts().joins);
+  EXPECT_EQ(parse_ends("F,M"), full_parts().ends);
+}
+
+TEST(Parts, ARepeatedItemIsRefused) {
+  const auto error = [](auto parse, const char* text) {
+    return testing::input_error([&] { parse(text); });
+  };
+  EXPECT_EQ(error(parse_tips, "tube,bearing,tube"),
+            "tips 'tube,bearing,tube': 'tube' is named twice");
+  EXPECT_EQ(error(parse_ends, "F,F"), "ends 'F,F': 'F' is named twice");
 }
 
 TEST(Parts, UnknownAndEmptyItemsAndBlanksAreNamedWithWhatWasExpected) {
