@@ -111,17 +111,18 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST_F(Mpirun, SaysABadOptionOnce) {
-  for (const auto& [arguments, message] :
-       {std::pair<Arguments, std::string>{
-            {"explore", "--fingers", "none"},
-            "--fingers: Value none not in range 1 to 64; see reeve explore --help"},
-        {{"explore", "--hardware", "h.toml"}, "h.toml: cannot be read: No such file or directory"},
-        {{"explore", "--store", "s.db", "--keep", "all"},
-         "--keep 'all': expected best under mpirun, where every design would pass through one "
-         "process; --shard with a store for each keeps all"},
-        {{"rank", "--catalogue"},
-         "started as 3 processes, which would all do the same: only explore can be shared out "
-         "(REEVE_MPI=off in the environment: each on its own)"}}) {
+  for (
+      const auto& [arguments, message] :
+      {std::pair<Arguments, std::string>{
+           {"explore", "--fingers", "none"},
+           "--fingers: Value 'none': expected a whole number such as 10; see reeve explore --help"},
+       {{"explore", "--hardware", "h.toml"}, "h.toml: cannot be read: No such file or directory"},
+       {{"explore", "--store", "s.db", "--keep", "all"},
+        "--keep 'all': expected best under mpirun, where every design would pass through one "
+        "process; --shard with a store for each keeps all"},
+       {{"rank", "--catalogue"},
+        "started as 3 processes, which would all do the same: only explore can be shared out "
+        "(REEVE_MPI=off in the environment: each on its own)"}}) {
     const ProcessResult result = together(3, arguments);
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_EQ(result.out, "");
