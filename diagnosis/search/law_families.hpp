@@ -26,7 +26,7 @@ void screen_bent(const LawColumns& columns, std::vector<Bend> bends, FoundLaws& 
 // Screens sine and cosine of each period over each covariate.
 void screen_waves(const LawColumns& columns, FoundLaws& found);
 
-// Of fewer runs none stands apart from the others.
+// A run stands apart only from this many, itself among them.
 inline constexpr std::size_t few_runs = 4;
 
 // Screens what one run or one group does by itself.

@@ -37,12 +37,16 @@ struct Row {
 // What a strand's sensor reads over what it should.
 using Factor = std::function<double(const Row&, int strand)>;
 
-std::string readings(const Factor& factor, int first_run = 0) {
+double drawn_humidity(int, std::uint64_t drawn) { return 20 + 60 * uniform(1, 3, drawn); }
+
+std::string readings(
+    const Factor& factor, int first_run = 0,
+    const std::function<double(int run, std::uint64_t drawn)>& humidity_pct = drawn_humidity) {
   std::string text = "run,routing,held,motor_tension_N,humidity_pct,supply_V,T1_N,T2_N,T3_N,T4_N\n";
   std::uint64_t drawn = 0;
   for (int run = first_run; run < first_run + 12; ++run) {
     for (const double motor_N : {8.0, 12.0, 18.0, 27.0, 35.0, 50.0}) {
-      const Row row{run, 4.5 + uniform(1, 2, drawn), 20 + 60 * uniform(1, 3, drawn)};
+      const Row row{run, 4.5 + uniform(1, 2, drawn), humidity_pct(run, drawn)};
       text += fmt::format("r{},M-1-T-2-F,1,{},{:.2f},{:.4f}", run, motor_N, row.humidity_pct,
                           row.supply_V);
       double tension_N = motor_N * std::exp(-phi_sheath);
@@ -174,6 +178,15 @@ TEST(TermSearch, FindsTheValueAtWhichAStepIs) {
     EXPECT_GE(law.parameters[1].high, at);
     EXPECT_LT(law.parameters[1].high - law.parameters[1].low, 5);
   }
+}
+
+// The run was moist, too, and no other was.
+TEST(TermSearch, TakesAStepThatPartsOneRunForThatRunApart) {
+  const DiagnosisResult result = diagnosed(
+      readings([](const Row& row, int strand) { return strand == 2 && row.run == 5 ? 0.7 : 1.0; },
+               0, [](int run, std::uint64_t) { return run == 5 ? 80.0 : 40.0 + run; }));
+  EXPECT_TRUE(result.causes.empty());
+  ASSERT_EQ(result.apart.size(), 1U);
 }
 
 // A sheath passes its friction on to all strands. Far from small, so that what it does is far from

@@ -12,7 +12,7 @@ namespace {
 
 enum class PortKind { strand, side, tail, becket };
 
-// What is tied at the hand: a strand's end, a side of a block's pass, a block's tail or becket.
+// A port is tied at the hand: a strand's end, a side of a block's pass, a block's tail or becket.
 struct Port {
   PortKind kind;
   std::size_t owner;     // finger or block
@@ -104,7 +104,7 @@ class Search {
     }
   }
 
-  // Of blocks the sheaves may be taken to ascend; bars have none.
+  // The sheaves of blocks may be taken to ascend; bars have none.
   void choose_sheaves(std::size_t block) {
     if (block == blocks_) return tie_all();
     sheaves_[block] = {};
@@ -180,7 +180,7 @@ class Search {
     return kinds_.series && a.owner != b.owner ? 1 + kinds_.joins : 0;  // of two passes
   }
 
-  // Of the two strands of a finger, or sides of a pass.
+  // True of the second of two strands of a finger, or sides of a pass.
   bool is_second(std::size_t port) const {
     return port > 0 && ports_[port].kind != PortKind::tail && ports_[port] == ports_[port - 1];
   }
