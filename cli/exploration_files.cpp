@@ -56,17 +56,15 @@ void write_exploration(const ExploreReport& report, const CLI::App& command,
   if (std::min(details.value_or(0), report.top.size()) >= long_list) stage.show("writing the page");
   PageFiles page = exploration_page(view(report, command, catalogue, details));
   ResultFiles result;
-  result.tables = {
-      {"designs.csv", design_csv(report.top, note)},
-      {"pareto.csv", design_csv(report.front, note)},
-      {"sample.csv", sample_csv(report.result.sample, note)},
-      {"tradeoff.csv", tradeoff_csv(report.tradeoff, note)},
-      {"sweep.csv", report.sweep ? std::optional(sweep_csv(*report.sweep)) : std::nullopt}};
+  result.tables = {{"designs.csv", design_csv(report.top, note)},
+                   {"pareto.csv", design_csv(report.front, note)},
+                   {"sample.csv", sample_csv(report.result.sample, note)},
+                   {"tradeoff.csv", tradeoff_csv(report.tradeoff, note)}};
+  if (report.sweep) result.tables.push_back({"sweep.csv", sweep_csv(*report.sweep)});
   result.figures = std::move(page.figures);
   result.texts.push_back({"index.html", std::move(page.html)});
-  result.texts.push_back({"shard.json", std::nullopt});
   if (report.result.record) {
-    result.texts.back().text = shard_json(report, explore_arguments(command));
+    result.texts.push_back({"shard.json", shard_json(report, explore_arguments(command))});
   }
   result.texts.push_back({"summary.json", explore_summary_json(report)});
   write_result(directory, std::move(result), {exploration_kind, exploration_id(report)});

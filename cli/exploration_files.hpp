@@ -17,7 +17,7 @@ namespace reeve::cli {
 // the destination, the shard and the speed.
 std::vector<std::string> explore_arguments(const CLI::App& command);
 
-// All that an exploration may write or remove in its folder, but for figures.
+// All that an exploration may write in its folder, but for figures.
 std::vector<std::string> exploration_files();
 
 // Writes also shard.json if the report holds the record of a shard. `command` is the subcommand as

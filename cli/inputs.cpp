@@ -215,9 +215,8 @@ CLI::Option* OutOption::add_to(CLI::App& command, const std::string& files) {
   return option_;
 }
 
-void OutOption::require_apart_from(const std::vector<InputFile>& inputs,
-                                   const std::vector<std::string>& files) const {
-  if (is_given()) require_no_input_in(folder_, files, inputs);
+void OutOption::require_apart_from(const std::vector<InputFile>& inputs) const {
+  if (is_given()) require_no_input_in(folder_, inputs);
 }
 
 std::filesystem::path OutOption::prepare() const {

@@ -121,9 +121,8 @@ struct SvgOption {
 struct OutOption {
   CLI::Option* add_to(CLI::App& command, const std::string& files);
   bool is_given() const { return option_->count() > 0; }
-  // None of the files that come into the folder may be an input. Throws InputError.
-  void require_apart_from(const std::vector<InputFile>& inputs,
-                          const std::vector<std::string>& files) const;
+  // None of the files that come into the folder, or go, may be an input. Throws InputError.
+  void require_apart_from(const std::vector<InputFile>& inputs) const;
   // Made if it is not there. Throws InputError.
   std::filesystem::path prepare() const;
 

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "pages/shell/result_files.hpp"
 #include "reports/output/destination.hpp"
 
 namespace reeve::cli {
@@ -67,10 +68,11 @@ void require_not_an_input(const fs::path& file, const std::vector<InputFile>& in
   }
 }
 
-void require_no_input_in(const fs::path& folder, const std::vector<std::string>& files,
-                         const std::vector<InputFile>& inputs) {
+void require_no_input_in(const fs::path& folder, const std::vector<InputFile>& inputs) {
   const std::string option = fmt::format("--out '{}'", folder.string());
-  for (const std::string& file : files) require_not_an_input(folder / file, inputs, option);
+  for (const std::string& file : result_names()) {
+    require_not_an_input(folder / file, inputs, option);
+  }
   // The names of the figures are known only when they are made.
   const fs::path figures = folder / "figures";
   require_not_an_input(figures, inputs, option);

@@ -24,8 +24,7 @@ InputFile written_by(const std::string& option, const std::filesystem::path& fil
 void require_not_an_input(const std::filesystem::path& file, const std::vector<InputFile>& inputs,
                           const std::string& option);
 // Checks the files, and the figures, that are written or removed in the folder of --out.
-void require_no_input_in(const std::filesystem::path& folder, const std::vector<std::string>& files,
-                         const std::vector<InputFile>& inputs);
+void require_no_input_in(const std::filesystem::path& folder, const std::vector<InputFile>& inputs);
 
 // The folder, or what there is of the way to it. Throws InputError.
 void require_folder_can_be_written(const std::filesystem::path& folder, const std::string& option);

@@ -48,13 +48,12 @@ std::vector<InputFile> inputs(const CompareFlags& flags) {
 
 void write_files(const CompareReport& report, const CompareFlags& flags) {
   const std::filesystem::path folder = flags.out;
-  require_no_input_in(folder, {"residuals.csv", "comparison.json"}, inputs(flags));
+  require_no_input_in(folder, inputs(flags));
   prepare_directory(folder, "--out");
   const std::string json = compare_json(report);
-  write_result(
-      folder,
-      {{{"residuals.csv", residuals_csv(report)}}, std::nullopt, {{"comparison.json", json}}},
-      result_stamp(json));
+  write_result(folder,
+               {{{"residuals.csv", residuals_csv(report)}}, {}, {{"comparison.json", json}}},
+               result_stamp(json));
 }
 
 int run(const CompareFlags& flags, const CLI::App&) {

@@ -84,7 +84,7 @@ void require_places(const DiagnoseFlags& flags) {
     if (std::filesystem::is_directory(flags.out)) {
       require_file_can_be_written(flags.page_file(), "--out");
     }
-    require_no_input_in(flags.out, {"diagnosis.json", "residuals.csv", "index.html"}, inputs);
+    require_no_input_in(flags.out, inputs);
   }
 }
 

@@ -135,7 +135,7 @@ void prepare_folder(const ExploreFlags& flags, std::vector<InputFile> inputs) {
   flags.model.list_in(inputs);
   flags.tradeoff.prices.list_in(inputs);
   flags.store.list_in(inputs);
-  require_no_input_in(flags.out, exploration_files(), inputs);
+  require_no_input_in(flags.out, inputs);
   prepare_directory(flags.out, "--out");
   // Better now than after hours.
   const std::filesystem::path out = flags.out;

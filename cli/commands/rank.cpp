@@ -123,10 +123,10 @@ void write_page(const RankReport& report, const std::filesystem::path& folder,
                 const CLI::App& command) {
   const std::string text =
       command_line(command, {"--format", "--threads", "--columns", "--text-width"});
-  write_result(
-      folder, ranking_page(report, text), {"ranking.json", rank_json(report)},
-      {{"tradeoff.csv", tradeoff_csv(report.tradeoff)},
-       {"sweep.csv", report.sweep ? std::optional(sweep_csv(*report.sweep)) : std::nullopt}});
+  std::vector<ResultFile> tables{{"tradeoff.csv", tradeoff_csv(report.tradeoff)}};
+  if (report.sweep) tables.push_back({"sweep.csv", sweep_csv(*report.sweep)});
+  write_result(folder, ranking_page(report, text), {"ranking.json", rank_json(report)},
+               std::move(tables));
 }
 
 // Returns what `of` says of every routing, or `otherwise` where routings differ in it.
@@ -169,7 +169,7 @@ void require_places(const RankFlags& flags) {
   flags.model.list_in(inputs);
   flags.tradeoff.prices.list_in(inputs);
   if (flags.data_given->count() > 0) inputs.push_back({flags.data, "the data"});
-  flags.out.require_apart_from(inputs, {"index.html", "tradeoff.csv", "sweep.csv", "ranking.json"});
+  flags.out.require_apart_from(inputs);
 }
 
 TensionDistributions distributions_of(const RankInputs& inputs) {

@@ -95,7 +95,7 @@ void require_places(const ShowFlags& flags) {
   flags.prices.list_in(inputs);
   flags.svg.require_apart_from(inputs);
   flags.svg.list_in(inputs);
-  flags.out.require_apart_from(inputs, {"index.html", "routing.json"});
+  flags.out.require_apart_from(inputs);
 }
 
 std::string dot(const ShowFlags& flags, const ShownRouting& report) {

@@ -298,7 +298,7 @@ void require_places(const SizeFlags& flags) {
     require_not_an_input(flags.save, inputs, "--save-hardware");
     inputs.push_back(written_by("--save-hardware", flags.save));
   }
-  flags.out.require_apart_from(inputs, {"index.html", "sizing.json"});
+  flags.out.require_apart_from(inputs);
 }
 
 std::string sizing_command(const CLI::App& command) {

@@ -38,6 +38,8 @@ std::set<std::string> listed(const std::filesystem::path& folder) {
 void add_figures(FileBatch& batch, const std::filesystem::path& directory,
                  const std::vector<FigureFile>& figures, const Stamp& stamp) {
   const std::filesystem::path folder = directory / "figures";
+  std::set<std::string> stale = listed(folder);
+  if (figures.empty() && stale.empty()) return;
   prepare_directory(folder, "--out");
   std::vector<std::pair<std::string, std::string>> files;
   for (const FigureFile& figure : figures) {
@@ -45,7 +47,6 @@ void add_figures(FileBatch& batch, const std::filesystem::path& directory,
     files.emplace_back(drawing, stamped(drawing, figure.svg, stamp));
     if (!figure.caption.empty()) files.emplace_back(figure.id + ".txt", figure.caption);
   }
-  std::set<std::string> stale = listed(folder);
   std::string names;
   for (const auto& [name, text] : files) {
     stale.erase(name);

@@ -4,6 +4,8 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <ctime>
 #include <limits>
@@ -45,31 +47,48 @@ class FolderLock {
 };
 
 // A file of the same name that somebody else put there stays.
-bool is_of_earlier_run(const std::filesystem::path& file, const std::string& kind) {
+bool is_of_earlier_run(const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) return false;
   constexpr std::size_t any_size = std::numeric_limits<std::size_t>::max() / 2;
-  return !id_in(file.filename(), read_input(file, any_size, "a file"), kind).empty();
+  const std::string text = read_input(file, any_size, "a file");
+  return std::ranges::any_of(std::array{exploration_kind, result_kind}, [&](const char* kind) {
+    return !id_in(file.filename(), text, kind).empty();
+  });
 }
 
 void add_files(FileBatch& batch, const std::filesystem::path& folder,
                std::vector<ResultFile>& files, const Stamp& stamp) {
   for (ResultFile& file : files) {
-    if (file.text) {
-      batch.add(folder / file.name, stamped(file.name, std::move(*file.text), stamp));
-    } else if (is_of_earlier_run(folder / file.name, stamp.kind)) {
-      batch.remove(folder / file.name);
-    }
+    batch.add(folder / file.name, stamped(file.name, std::move(file.text), stamp));
+  }
+}
+
+void remove_others(FileBatch& batch, const std::filesystem::path& folder,
+                   const ResultFiles& result) {
+  const auto is_among = [](const std::vector<ResultFile>& files, const std::string& name) {
+    return std::ranges::find(files, name, &ResultFile::name) != files.end();
+  };
+  for (const std::string& name : result_names()) {
+    if (is_among(result.tables, name) || is_among(result.texts, name)) continue;
+    if (is_of_earlier_run(folder / name)) batch.remove(folder / name);
   }
 }
 
 }  // namespace
 
+std::vector<std::string> result_names() {
+  return {"designs.csv",   "pareto.csv", "sample.csv",     "tradeoff.csv",    "sweep.csv",
+          "residuals.csv", "shard.json", "summary.json",   "ranking.json",    "routing.json",
+          "sizing.json",   "index.html", "catalogue.json", "comparison.json", "diagnosis.json"};
+}
+
 void write_result(const std::filesystem::path& folder, ResultFiles result, const Stamp& stamp) {
   const FolderLock lock(folder);
   FileBatch batch;
+  remove_others(batch, folder, result);
   add_files(batch, folder, result.tables, stamp);
-  if (result.figures) add_figures(batch, folder, *result.figures, stamp);
+  add_figures(batch, folder, result.figures, stamp);
   add_files(batch, folder, result.texts, stamp);
   batch.commit();
 }
@@ -79,7 +98,7 @@ void write_result(const std::filesystem::path& folder, PageFiles page, const Res
   write_result(
       folder,
       {std::move(tables), std::move(page.figures), {{"index.html", std::move(page.html)}, json}},
-      result_stamp(*json.text));
+      result_stamp(json.text));
 }
 
 }  // namespace reeve::pages

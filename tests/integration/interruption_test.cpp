@@ -248,7 +248,14 @@ TEST(MixedFolder, IsNotMadeBySizingIntoTheFolderThatIsSized) {
   const ProcessResult size = reeve({"size", "--from", explored.out().string(), "--vary",
                                     "tip_angle=1..4", "--out", explored.out().string()});
   EXPECT_EQ(size.exit_code, 2);
-  EXPECT_TRUE(has(size.err, "index.html' would be written over what is sized"));
+  EXPECT_TRUE(has(size.err, "designs.csv' would be written over what is sized"));
+}
+
+TEST(MixedFolder, IsNotMadeByAnotherCommand) {
+  const Explored explored("--fingers 2");
+  EXPECT_EQ(reeve({"show", "TR5", "--out", explored.out().string()}).exit_code, 0);
+  EXPECT_EQ(explored.files(), (Arguments{"figures", "index.html", "routing.json"}));
+  EXPECT_FALSE(std::filesystem::exists(explored.out() / "figures/pareto.svg"));
 }
 
 TEST(MixedFolder, IsKnownByTheIdsOfItsFiles) {

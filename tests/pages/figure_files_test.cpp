@@ -56,18 +56,14 @@ TEST(FigureFiles, RemoveNothingOutsideTheirFolder) {
   EXPECT_TRUE(fs::exists(outside));
 }
 
-TEST(ResultFiles, HaveOneStampAndReplaceThoseOfAnEarlierResult) {
+TEST(ResultFiles, HaveOneStamp) {
   const TemporaryFolder folder;
   const fs::path& out = folder.path();
-  write_result(out, {{{"a.csv", "x\n1\n"}, {"b.csv", "y\n2\n"}}, std::nullopt, {}}, stamp);
-  EXPECT_TRUE(fs::exists(out / "b.csv"));
-  EXPECT_FALSE(fs::exists(out / "figures"));
   write_result(out,
-               {{{"a.csv", "# note\nx\n1\n"}, {"b.csv", std::nullopt}},
-                {{{"f", "<svg/>\n", "A caption.\n"}}},
+               {{{"a.csv", "# note\nx\n1\n"}},
+                {{"f", "<svg/>\n", "A caption.\n"}},
                 {{"index.html", "<p>\n"}, {"a.json", "{}\n"}}},
                stamp);
-  EXPECT_FALSE(fs::exists(out / "b.csv"));
   EXPECT_EQ(read_text(out / "a.csv"), "# note\nx,result_id\n1,0123456789abcdef\n");
   EXPECT_EQ(read_text(out / "index.html"), "<p>\n<!-- result_id 0123456789abcdef -->\n");
   EXPECT_EQ(read_text(out / "figures/f.svg"), "<svg/>\n<!-- result_id 0123456789abcdef -->\n");
@@ -75,11 +71,30 @@ TEST(ResultFiles, HaveOneStampAndReplaceThoseOfAnEarlierResult) {
   EXPECT_EQ(read_text(out / "a.json"), "{}\n");
 }
 
+TEST(ResultFiles, ReplaceAllOfAnEarlierResultOfWhicheverCommand) {
+  const TemporaryFolder folder;
+  const fs::path& out = folder.path();
+  write_result(out, {{{"sweep.csv", "x\n1\n"}}, {{"f", "<svg/>\n"}}, {}}, stamp);
+  write_result(out, {{{"residuals.csv", "x\n1\n"}}, {}, {}}, {"exploration", stamp.id});
+  EXPECT_FALSE(fs::exists(out / "sweep.csv"));
+  EXPECT_FALSE(fs::exists(out / "figures/f.svg"));
+  write_result(out, {}, stamp);
+  EXPECT_FALSE(fs::exists(out / "residuals.csv"));
+}
+
+TEST(ResultFiles, WithoutFiguresMakeNoFolderForThem) {
+  const TemporaryFolder folder;
+  write_result(folder.path(), {{{"a.csv", "x\n1\n"}}, {}, {}}, stamp);
+  EXPECT_FALSE(fs::exists(folder.path() / "figures"));
+}
+
 TEST(ResultFiles, LeaveFilesOfOthersAlone) {
   const TemporaryFolder folder;
-  folder.write("b.csv", "mine\n3\n");
-  write_result(folder.path(), {{{"b.csv", std::nullopt}}, std::nullopt, {}}, stamp);
-  EXPECT_EQ(read_text(folder.path() / "b.csv"), "mine\n3\n");
+  folder.write("sweep.csv", "mine\n3\n");
+  folder.write("mine.csv", "x,result_id\n1,0123456789abcdef\n");
+  write_result(folder.path(), {}, stamp);
+  EXPECT_EQ(read_text(folder.path() / "sweep.csv"), "mine\n3\n");
+  EXPECT_TRUE(fs::exists(folder.path() / "mine.csv"));
 }
 
 TEST(ResultFiles, AreNotWrittenWhereTheListOfFiguresIsNoFile) {
@@ -93,9 +108,7 @@ TEST(ResultFiles, WaitForARunThatWritesIntoTheFolder) {
   const TemporaryFolder folder;
   const int other = ::open(folder.path().c_str(), O_RDONLY | O_DIRECTORY);
   ASSERT_EQ(::flock(other, LOCK_EX), 0);
-  std::jthread writer([&] {
-    write_result(folder.path(), {{{"a.csv", "x\n1\n"}}, std::nullopt, {}}, stamp);
-  });
+  std::jthread writer([&] { write_result(folder.path(), {{{"a.csv", "x\n1\n"}}, {}, {}}, stamp); });
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_FALSE(fs::exists(folder.path() / "a.csv"));
   ::close(other);
