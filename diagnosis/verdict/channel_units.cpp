@@ -50,24 +50,37 @@ std::vector<ChannelLevel> channel_levels(const Dataset& all, const Forecast& at)
   return levels;
 }
 
-// The name of the unit in which a reading is so many times less than in newton.
-std::optional<std::string> unit_of(double middle) {
-  for (const char* name : {"kgf", "lbf", "daN", "kN"}) {
-    const double factor = find_unit(name, Dimension::force)->factor;
-    if (std::abs(middle + std::log(factor)) < near_a_unit) return name;
+struct ChannelGroup {
+  std::vector<std::string> off;  // columns that read exp(middle) times what the model says
+  std::size_t others = 0;
+  bool others_are_near = true;
+};
+
+ChannelGroup group_at(double middle, const std::vector<ChannelLevel>& levels,
+                      const std::vector<Channel>& channels) {
+  ChannelGroup group;
+  for (std::size_t c = 0; c < levels.size(); ++c) {
+    if (std::isnan(levels[c].middle)) continue;
+    if (std::abs(levels[c].middle - middle) < near_a_unit && levels[c].spread <= near_a_unit) {
+      group.off.push_back(channels[c].name + "_N");
+      continue;
+    }
+    ++group.others;
+    if (std::abs(levels[c].middle) > std::abs(middle) / 2) group.others_are_near = false;
   }
-  return std::nullopt;
+  return group;
 }
 
-bool others_are_near(const std::vector<ChannelLevel>& levels, std::size_t channel) {
-  const double half = std::abs(levels[channel].middle) / 2;
-  std::size_t others = 0;
-  for (std::size_t c = 0; c < levels.size(); ++c) {
-    if (c == channel || std::isnan(levels[c].middle)) continue;
-    ++others;
-    if (std::abs(levels[c].middle) > half) return false;
-  }
-  return others >= 2;
+std::string who_is_off(const ChannelGroup& group, double factor) {
+  const bool are_many = group.off.size() > 1;
+  // Two channels of which one is off do not say which.
+  const std::size_t least_others = are_many && group.others == 0 ? 0 : 2;
+  if (group.off.empty() || !group.others_are_near || group.others < least_others) return "";
+  return fmt::format(
+      "{} {} about {:.3g} times what the model says{}: {}", fmt::join(group.off, ", "),
+      are_many ? "read" : "reads", factor,
+      group.others == 0 ? " with the motor's tension" : ", and no other channel is off like that",
+      are_many ? "are they in " : "is it in ");
 }
 
 }  // namespace
@@ -77,27 +90,17 @@ std::vector<DataNote> notes_on_channel_units(const Dataset& all, const Model& no
   if (!at) return {};
   const std::vector<ChannelLevel> levels = channel_levels(all, *at);
   std::vector<DataNote> notes;
-  for (std::size_t c = 0; c < levels.size(); ++c) {
-    const ChannelLevel& level = levels[c];
-    if (std::isnan(level.middle) || level.spread > near_a_unit || !others_are_near(levels, c)) {
-      continue;
-    }
-    const std::string name = all.data->channels[c].name + "_N";
-    const double factor = std::exp(level.middle);
-    if (const auto unit = unit_of(level.middle)) {
-      notes.push_back(
-          {NoteKind::units,
-           fmt::format("{} reads {:.3g} times what the model says, and no other channel "
-                       "is off like that: is it in {}?",
-                       name, factor, *unit),
-           {}});
-    } else if (const auto taken_for = unit_of(-level.middle)) {
-      notes.push_back(
-          {NoteKind::units,
-           fmt::format("{} reads {:.3g} times what the model says, and no other channel "
-                       "is off like that: is it in newton, and taken for {}?",
-                       name, factor, *taken_for),
-           {}});
+  for (const char* unit : {"kgf", "lbf", "kN"}) {
+    const double factor = find_unit(unit, Dimension::force)->factor;
+    for (const bool is_taken_for_it : {false, true}) {
+      const double reads = is_taken_for_it ? factor : 1 / factor;
+      const std::string who =
+          who_is_off(group_at(std::log(reads), levels, all.data->channels), reads);
+      if (who.empty()) continue;
+      notes.push_back({NoteKind::units,
+                       is_taken_for_it ? fmt::format("{}newton, and taken for {}?", who, unit)
+                                       : fmt::format("{}{}?", who, unit),
+                       {}});
     }
   }
   return notes;

@@ -1,7 +1,9 @@
-// One sensor of planted data in another unit.
+// Sensors of planted data in another unit.
 #include "diagnosis/verdict/channel_units.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/has.hpp"
@@ -10,10 +12,12 @@
 namespace reeve::testing {
 namespace {
 
+constexpr std::size_t all_channels = 100;
+
 std::vector<DataNote> notes_with(double factor, std::size_t channels) {
   MeasuredData data = read_data(plant({}, 81).csv);
   for (Reading& reading : data.readings) {
-    for (std::size_t c = 0; c < channels; ++c) {
+    for (std::size_t c = 0; c < std::min(channels, data.channels.size()); ++c) {
       if (reading.tension_N[c]) *reading.tension_N[c] *= factor;
     }
   }
@@ -33,11 +37,23 @@ TEST(AChannelsUnit, IsQuestionedWhereThatChannelAloneIsOff) {
   }
 }
 
-TEST(AChannelsUnit, IsNotQuestionedForGainsOrForAllChannels) {
+TEST(AChannelsUnit, IsQuestionedOfSeveralAtOnce) {
+  const std::vector<DataNote> several = notes_with(1 / 4.44822, 3);
+  ASSERT_EQ(several.size(), 1U);
+  EXPECT_TRUE(has(several[0].text,
+                  "T1_N, T2_N, T3_N read about 0.225 times what the model says, and no other "
+                  "channel is off like that: are they in lbf?"));
+  const std::vector<DataNote> of_all = notes_with(1 / 4.44822, all_channels);
+  ASSERT_EQ(of_all.size(), 1U);
+  EXPECT_TRUE(has(of_all[0].text, "what the model says with the motor's tension: are they in lbf?"))
+      << of_all[0].text;
+}
+
+TEST(AChannelsUnit, IsNotQuestionedForGains) {
   for (const double factor : {1.0, 0.5, 2.0, 0.16, 6.0}) {
     EXPECT_TRUE(notes_with(factor, 1).empty()) << factor;
+    EXPECT_TRUE(notes_with(factor, all_channels).empty()) << factor;
   }
-  EXPECT_TRUE(notes_with(1 / 9.80665, 3).empty());
 }
 
 }  // namespace
