@@ -11,7 +11,7 @@ namespace {
 
 DiagnosisResult diagnosed(const PlantingPlan& plan, std::uint64_t seed) {
   DiagnoseOptions options;
-  options.replicates = 400;
+  options.replicates = 100;
   return diagnose(read_data(plant(plan, seed).csv), Hardware{}, options);
 }
 

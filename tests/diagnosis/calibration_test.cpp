@@ -37,7 +37,7 @@ std::string sheath_csv(double mu, int runs, double scatter = 0) {
 DiagnosisResult diagnosed_sheaths(const std::string& csv, const Hardware& hardware = {},
                                   double alpha = DiagnoseOptions{}.alpha) {
   DiagnoseOptions options;
-  options.replicates = 400;
+  options.replicates = 100;
   options.threads = 1;
   options.alpha = alpha;
   return diagnose(read_data(csv), hardware, options);

@@ -23,7 +23,7 @@ std::string clean_file() {
 
 DiagnosisResult diagnosis_of_file(const std::string& csv) {
   DiagnoseOptions options;
-  options.replicates = 400;
+  options.replicates = 100;
   return diagnose(read_data(csv), Hardware{}, options);
 }
 
@@ -79,7 +79,7 @@ TEST(DirtyFile, WithADeadSensorHasThatBesideTheCause) {
     if (tension_N) tension_N = 0;
   }
   DiagnoseOptions options;
-  options.replicates = 400;
+  options.replicates = 100;
   const DiagnosisResult dead = diagnose(data, Hardware{}, options);
   std::vector<std::string> expected = names_in(diagnosis_of_file(clean_file()));
   expected.emplace_back("dead_channel[T2]");

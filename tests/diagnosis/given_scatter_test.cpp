@@ -22,7 +22,7 @@ std::string of_few_mountings(std::uint64_t seed) {
 
 DiagnosisResult diagnosed_with(const std::string& csv, std::optional<double> given) {
   DiagnoseOptions options;
-  options.replicates = 400;
+  options.replicates = 100;
   options.mounting_scatter = given;
   return diagnose(read_data(csv), Hardware{}, options);
 }

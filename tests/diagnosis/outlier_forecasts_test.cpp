@@ -16,7 +16,7 @@ namespace {
 
 DiagnosisResult diagnosed(const MeasuredData& data) {
   DiagnoseOptions options;
-  options.replicates = 400;
+  options.replicates = 100;
   options.hold_out = 0.3;
   return diagnose(data, Hardware{}, options);
 }

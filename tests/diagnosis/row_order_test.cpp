@@ -109,7 +109,7 @@ TEST(InOrderOfContents, MakesRunsHeldOutAndNoiseThatIsDrawnTheSame) {
   plan.effects = {EffectKind::sensor_gain};
   const std::string csv = plant(plan, 81).csv;
   DiagnoseOptions options;
-  options.replicates = 400;
+  options.replicates = 100;
   const auto of = [&](const std::string& text) { return in_order_of_contents(read_data(text)); };
   const auto held_out = [&](const MeasuredData& data) {
     std::vector<std::string> runs;

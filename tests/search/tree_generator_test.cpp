@@ -39,14 +39,15 @@ std::vector<GeneratorOptions> small_searches() {
       const PartSet few = with_beside(tied(parts_of("tube", "T", "F"), 2), joins);
       searches.push_back(generating(beside, 1, identical, one_tree));
       searches.push_back(generating(beside, 2, identical, one_tree));
+      if (few.beside.size() > 1) continue;
       searches.push_back(generating(few, 2, distinct, one_tree));
-      if (few.beside.size() == 1) searches.push_back(generating(few, 3, identical, one_tree));
+      searches.push_back(generating(few, 3, identical, one_tree));
     }
     for (const PartSet& parts : odd_parts()) {
       searches.push_back(generating(tied(parts, 2), 3, identical, one_tree));
       searches.push_back(generating(tied(parts, 2), 2, distinct, one_tree));
-      searches.push_back(generating(linked(tied(parts, 3)), 3, identical, one_tree));
-      searches.push_back(generating(linked(tied(parts, 2)), 3, distinct, one_tree));
+      searches.push_back(generating(linked(tied(parts, 2)), 3, identical, one_tree));
+      searches.push_back(generating(linked(tied(parts, 3)), 2, distinct, one_tree));
     }
     searches.push_back(generating(linked(tied(paper_parts(), 4)), 2, identical, one_tree));
     searches.push_back(generating(barred(tied(full_parts(), 2)), 2, identical, one_tree));
@@ -54,7 +55,7 @@ std::vector<GeneratorOptions> small_searches() {
       const PartSet few = barred(tied(parts_of("tube", joins, "M"), 3));
       searches.push_back(generating(few, 3, identical, one_tree));
       searches.push_back(generating(linked(in_series(few)), 3, identical, one_tree));
-      searches.push_back(generating(few, 3, distinct, one_tree));
+      searches.push_back(generating(with_blocks(few, 2), 3, distinct, one_tree));
       searches.push_back(generating(with_beside(with_blocks(few, 2), "P"), 2, identical, one_tree));
     }
     searches.push_back(generating(in_series(tied(full_parts(), 2)), 2, identical, one_tree));
@@ -75,7 +76,7 @@ std::vector<GeneratorOptions> small_searches() {
     searches.push_back(generating(becketed(passed_twice(tied(full_parts(), 1))), 3, identical));
     searches.push_back(generating(becketed(passed_twice(tied(paper_parts(), 2))), 3, identical));
   }
-  searches.push_back(generating(barred(linked(tied(parts_of("tube", "", "M"), 4))), 4, identical));
+  searches.push_back(generating(barred(linked(tied(parts_of("tube", "", "M"), 3))), 4, identical));
   // Has two trees of one shape, reached by different blocks of their roots.
   searches.push_back(generating(in_series(tied(parts_of("tube", "", "M,F"), 4)), 4, identical));
   return searches;

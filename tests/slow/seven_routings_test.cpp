@@ -20,7 +20,7 @@ namespace {
 constexpr double hidden_tube = 0.08;
 constexpr double hidden_sheath = 0.03;
 constexpr double noise_N = 0.6;  // as the readings scatter but for the one that stands apart
-constexpr int experiments = 100;
+constexpr int experiments = 40;
 
 std::string experiment(std::uint32_t seed) {
   std::mt19937 random(seed);
@@ -74,7 +74,7 @@ TEST(SevenRoutings, ShowWhicheverFrictionTheyHave) {
     sheath_covered += sheath->low <= hidden_sheath && hidden_sheath <= sheath->high ? 1 : 0;
     sheath_widths += width(*sheath);
   }
-  EXPECT_GE(found, 95);
+  EXPECT_GE(found, experiments - 2);
   // 95 % intervals: what they cover of so many must be possible for 95 %.
   for (const int covered : {tube_covered, sheath_covered}) {
     const ConfidenceInterval possible = binomial_interval(static_cast<std::size_t>(covered),
