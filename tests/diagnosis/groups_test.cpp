@@ -62,7 +62,7 @@ MeasuredData by_winch(const Winch& a, const Winch& b, std::uint64_t seed) {
 
 DiagnosisResult diagnosed_by_winch(const MeasuredData& data) {
   DiagnoseOptions options;
-  options.replicates = 100;
+  options.replicates = 400;
   return diagnose(data, Hardware{}, options);
 }
 

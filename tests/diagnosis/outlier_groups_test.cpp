@@ -22,7 +22,7 @@ constexpr std::uint64_t quiet_seed = 81;
 
 DiagnosisResult diagnosed_far(const MeasuredData& data) {
   DiagnoseOptions options;
-  options.replicates = 100;
+  options.replicates = 400;
   return diagnose(data, Hardware{}, options);
 }
 
