@@ -266,9 +266,10 @@ std::string key(const Covariate& x) {
 std::string key(const Term& term) {
   const Site& site = term.site;
   return fmt::format(
-      "{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", static_cast<int>(term.target),
+      "{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", static_cast<int>(term.target),
       static_cast<int>(term.form), static_cast<int>(site.place), static_cast<int>(site.kind),
-      site.finger, site.held ? static_cast<int>(*site.held) : 2, site.routing,
+      site.finger, site.held ? static_cast<int>(*site.held) : 2,
+      site.direction ? static_cast<int>(*site.direction) : 2, site.routing,
       site.number ? static_cast<int>(*site.number) : -1, static_cast<int>(site.channel.kind),
       site.channel.number, site.run, site.group, key(term.x), key(term.y));
 }
@@ -358,6 +359,7 @@ bool acts_on(const Site& site, const ContactLoad& contact) {
   if (site.held && (contact.finger == 0 || contact.grasp.holds(contact.finger) != *site.held)) {
     return false;
   }
+  if (site.direction && contact.direction != *site.direction) return false;
   if (!site.routing.empty() && contact.routing != site.routing) return false;
   return !site.number || contact.number == *site.number;
 }

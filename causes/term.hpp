@@ -42,6 +42,7 @@ struct Site {
   ContactKind kind = ContactKind::tube;  // contacts
   int finger = 0;                        // contacts of this one
   std::optional<bool> held;              // contacts of fingers that an object holds, or of others
+  std::optional<Direction> direction;    // contacts, while the motor moves this way
   std::string routing;                   // contacts, in this word
   std::optional<std::size_t> number;     // contacts: that of the kind in the routing, from 0
   Segment channel;                       // channel

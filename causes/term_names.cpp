@@ -124,6 +124,11 @@ class SiteReader {
     } else if (take(" of closing fingers")) {
       site_.held = false;
     }
+    if (take(" in pull")) {
+      site_.direction = Direction::pull;
+    } else if (take(" in release")) {
+      site_.direction = Direction::release;
+    }
     if (take(" of ")) {
       site_.routing = rest_;
       rest_ = {};
@@ -232,6 +237,7 @@ std::string site_name(const Site& site) {
       if (site.number) name += fmt::format(" {}", *site.number + 1);
       if (site.finger != 0) name += fmt::format(" of finger {}", site.finger);
       if (site.held) name += *site.held ? " of held fingers" : " of closing fingers";
+      if (site.direction) name += *site.direction == Direction::pull ? " in pull" : " in release";
       if (!site.routing.empty()) name += fmt::format(" of {}", site.routing);
       break;
   }

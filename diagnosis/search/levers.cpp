@@ -58,7 +58,11 @@ class LeversOf {
         at_(at),
         slots_(slots(dataset, model, workers)),
         contacts_(contacts_of_rows(dataset, model)),
-        block_of_(dataset.rows.size()) {
+        block_of_(dataset.rows.size()),
+        turns_(std::any_of(dataset.blocks.begin(), dataset.blocks.end(),
+                           [&](const ReadingBlock& block) {
+                             return block.direction != dataset.blocks.front().direction;
+                           })) {
     for (const ReadingBlock& block : dataset.blocks) {
       for (const std::size_t r : block.rows) block_of_[r] = &block;
     }
@@ -171,6 +175,12 @@ class LeversOf {
         own.held = is_held;
         add_at_contacts(own, Breadth::part);
       }
+      // The other direction follows from it and from the coefficient.
+      if (turns_) {
+        Site own = site;
+        own.direction = Direction::release;
+        add_at_contacts(own, Breadth::part);
+      }
       std::map<std::string, int> of_routing;
       for (const auto& [word, number] : numbered) ++of_routing[word];
       for (const auto& [word, count] : of_routing) {
@@ -230,11 +240,7 @@ class LeversOf {
       return by_motor(r, cell) * dataset_.rows[r].conditions.motor_tension_N;
     });
     add_cells(Target::offset, site, Breadth::whole, by_motor);
-    const auto& blocks = dataset_.blocks;
-    const bool turns = std::any_of(blocks.begin(), blocks.end(), [](const ReadingBlock& block) {
-      return block.direction == Direction::release;
-    });
-    if (!turns) return;
+    if (!turns_) return;
     add_cells(Target::force, site, Breadth::whole, [&](std::size_t r, Index cell) {
       return (block_of_[r]->direction == Direction::pull ? -1 : 1) * by_motor(r, cell);
     });
@@ -245,6 +251,7 @@ class LeversOf {
   std::vector<ContactColumn> slots_;
   RowContacts contacts_;
   std::vector<const ReadingBlock*> block_of_;
+  bool turns_;
   std::vector<Lever> levers_;
 };
 

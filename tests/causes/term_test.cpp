@@ -364,6 +364,11 @@ TEST(TermSite, RestrictsWhichContactsATermActsOn) {
   site.held = false;
   EXPECT_EQ(factors(site), (Four{1, 1, 1, 1.5}));
   site = contacts(ContactKind::tube);
+  site.direction = Direction::pull;
+  EXPECT_EQ(factors(site), (Four{1, 1.5, 1.5, 1.5}));
+  site.direction = Direction::release;
+  EXPECT_EQ(factors(site), (Four{1, 1, 1, 1}));
+  site = contacts(ContactKind::tube);
   site.number = 1;
   EXPECT_EQ(factors(site), (Four{1, 1, 1.5, 1}));
   site = contacts(ContactKind::tube);
@@ -626,6 +631,8 @@ TEST(SiteName, IsReadBack) {
                            "tube of finger 1",
                            "tube of held fingers",
                            "sheath of closing fingers",
+                           "tube in release",
+                           "sheath of held fingers in pull of M-1-F in run 2",
                            "bearing 3",
                            "tube 2 of M-1-T-2-F",
                            "sheath of finger 2 of held fingers of M-1-T-2-M in run 3",
@@ -640,12 +647,13 @@ TEST(SiteName, IsReadBack) {
     EXPECT_EQ(site_name(*site), name);
   }
   const Site site =
-      site_of("tube 2 of finger 3 of closing fingers of M-1-T-2-F in run 4 in group C");
+      site_of("tube 2 of finger 3 of closing fingers in release of M-1-T-2-F in run 4 in group C");
   EXPECT_EQ(site.place, SitePlace::contacts);
   EXPECT_EQ(site.kind, ContactKind::tube);
   EXPECT_EQ(site.number, std::size_t{1});
   EXPECT_EQ(site.finger, 3);
   EXPECT_EQ(site.held, false);
+  EXPECT_EQ(site.direction, Direction::release);
   EXPECT_EQ(site.routing, "M-1-T-2-F");
   EXPECT_EQ(site.run, "4");
   EXPECT_EQ(site.group, "C");

@@ -133,7 +133,35 @@ TEST(TermSearch, FindsTheSheathsOfOneRouting) {
   EXPECT_NEAR(result.causes.front().effect.values.front(), 0.25, 0.02);
 }
 
-// A sensor reads less where it is moist. Each step is between two of 72 humidities.
+// With finger 1 held, tensions fall from one contact to the next when the motor pulls, and rise as
+// much when it releases.
+std::string readings_of_both_directions(double more_at_tubes_in_release) {
+  std::string text = "run,routing,held,direction,motor_tension_N,T1_N,T2_N,T3_N,T4_N\n";
+  std::uint64_t drawn = 0;
+  for (int run = 0; run < 6; ++run) {
+    for (const double motor_N : {8.0, 12.0, 18.0, 27.0, 35.0, 50.0}) {
+      for (const bool pulls : {true, false}) {
+        text += fmt::format("r{},M-1-T-2-F,1,{},{}", run, pulls ? "pull" : "release", motor_N);
+        double tension_N = motor_N * std::exp(pulls ? -phi_sheath : phi_sheath);
+        for (int strand = 0; strand < 4; ++strand) {
+          text += fmt::format(",{:.5f}", tension_N * (1 + 0.01 * normal(1, 6, drawn++)));
+          tension_N *= std::exp(pulls ? -phi_tube : phi_tube * (1 + more_at_tubes_in_release));
+        }
+        text += "\n";
+      }
+    }
+  }
+  return text;
+}
+
+TEST(TermSearch, FindsTubesThatHoldMoreInRelease) {
+  EXPECT_TRUE(diagnosed(readings_of_both_directions(0)).causes.empty());
+  const DiagnosisResult result = diagnosed(readings_of_both_directions(0.3));
+  ASSERT_EQ(result.causes.size(), 1U);
+  EXPECT_EQ(result.causes.front().name, "law[exponent of tube in release]");
+  EXPECT_NEAR(result.causes.front().effect.values.front(), 0.3, 0.02);
+}
+
 // The gain of T3 in the grammar, from a wrong value and a wrong crossing on.
 Effect suspected_gain(const std::string& column) {
   Term term;
@@ -161,6 +189,7 @@ TEST(TermSearch, RefusesATermOfAColumnThatTheReadingsLack) {
   EXPECT_THROW(diagnosed(readings(as_supplied), 1, {suspected_gain("supply_mV")}), InputError);
 }
 
+// A sensor reads less where it is moist. Each step is between two of 72 humidities.
 TEST(TermSearch, FindsTheValueAtWhichAStepIs) {
   for (const double at : {47.0, 53.0, 61.3}) {
     const DiagnosisResult result = diagnosed(readings([&](const Row& row, int strand) {
