@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "causes/library.hpp"
@@ -193,13 +194,18 @@ class RivalTerms {
   }
 
   void see_at_all_levels(std::vector<Scored>& ways) const {
-    constexpr std::size_t at_least = 4;
+    constexpr std::size_t at_least = 4;  // of each view: what explains mountings is far off in one
     if (ways.empty()) return;
     const double best = ways.front().evidence;
+    std::map<std::pair<double, double>, std::size_t> of_view;
+    std::vector<std::size_t> place;
+    for (const Scored& way : ways) {
+      place.push_back(of_view[{way.likelihood.level.mounting, way.likelihood.level.motor}]++);
+    }
     search_.workers.for_each_block(ways.size(), 1, [&](const IndexBlock& block) {
       Scored& way = ways[block.begin];
       if (way.term.effect.cause == nullptr) return;
-      if (block.begin >= at_least && !is_near(way.evidence, best)) return;
+      if (place[block.begin] >= at_least && !is_near(way.evidence, best)) return;
       Scored seen = search_.scored(std::move(way.model));
       seen.evidence -= search_.cost(way.term);
       seen.term = std::move(way.term);
