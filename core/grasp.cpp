@@ -281,6 +281,15 @@ bool treats_fingers_alike(const GraspSet& grasps, int fingers) {
   return true;
 }
 
+std::vector<CarriageTravels> travels_of(const GraspSet& grasps) {
+  std::vector<CarriageTravels> travels;
+  for (const auto& [grasp, weight] : grasps) {
+    if (std::find(travels.begin(), travels.end(), grasp.carriages) != travels.end()) continue;
+    travels.push_back(grasp.carriages);
+  }
+  return travels;
+}
+
 bool treats_motors_alike(const GraspSet& grasps) {
   for (const auto& [grasp, weight] : grasps) {
     for (std::size_t motor = 1; motor < grasp.carriages.given; ++motor) {

@@ -54,6 +54,16 @@ double asked_force(double need_N, double pull_per_motor) {
   return pull_per_motor > 0 ? need_N / pull_per_motor : std::numeric_limits<double>::infinity();
 }
 
+// If no force is enough for a finger, none of any of its motors is.
+void add_motor_forces(double hardest_N, const HandPulls& pulls, int finger, MotorArray& forces_N) {
+  const MotorGroup& group = pulls.groups[static_cast<std::size_t>(finger)];
+  for (std::size_t motor = 0; motor < max_carriages; ++motor) {
+    if (!group.has_motor(motor)) continue;
+    const double force = std::isfinite(hardest_N) ? hardest_N * pulls.ratios[motor] : hardest_N;
+    forces_N[motor] = std::max(forces_N[motor], force);
+  }
+}
+
 }  // namespace
 
 FingerParts finger_parts(const Hardware& hardware, int finger) {
@@ -164,13 +174,11 @@ double motor_force(const HandFinger& finger, bool held, const FingerPull& pull_p
   return force;
 }
 
-GripDemand grip_demand(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                       const TensionState& state, Grasp grasp) {
-  const FingerPullArray pulls = finger_pulls_of(network, mechanics, state);
-  GripDemand demand{std::numeric_limits<double>::infinity(), 0, 1};
-  for (int number = 1; number <= network.fingers; ++number) {
+GripDemand grip_demand(const Hand& hand, int fingers, const HandPulls& pulls, Grasp grasp) {
+  GripDemand demand{std::numeric_limits<double>::infinity(), 0, 1, {}};
+  for (int number = 1; number <= fingers; ++number) {
     const HandFinger& finger = hand.finger(number);
-    const FingerPull& pull = pulls[static_cast<std::size_t>(number)];
+    const FingerPull& pull = pulls.fingers[static_cast<std::size_t>(number)];
     demand.force_per_motor_N =
         std::min(demand.force_per_motor_N, force_without_springs(finger, pull));
     const double force = motor_force(finger, grasp.holds(number), pull);
@@ -178,6 +186,7 @@ GripDemand grip_demand(const Hand& hand, const Network& network, const Mechanics
       demand.motor_force_N = force;
       demand.weakest = number;
     }
+    add_motor_forces(force, pulls, number, demand.motors_N);
   }
   return demand;
 }

@@ -28,9 +28,9 @@
 
 #include "core/finger_guides.hpp"
 #include "core/grasp.hpp"
+#include "core/hand_pulls.hpp"
 #include "core/hardware.hpp"
 #include "core/network.hpp"
-#include "core/tension/tension.hpp"
 
 namespace reeve::core {
 
@@ -101,13 +101,13 @@ double spring_energy(const HandFinger& finger, double share = 1);
 struct GripDemand {
   double force_per_motor_N = 0;  // least fingertip force of a finger, N/N, springs aside
   // Motor tension at which every finger presses with its wanted force, and those that are not held
-  // can close against their springs; infinite if a finger hangs on slack strands.
+  // can close against their springs; infinite if a finger hangs on slack strands. With several
+  // motors that of the motor that needs most.
   double motor_force_N = 0;
-  int weakest = 1;  // the finger that asks for it
+  int weakest = 1;        // the finger that asks for it
+  MotorArray motors_N{};  // force of each motor
 };
-// `mechanics` holds the exponents that the tensions were solved with.
-GripDemand grip_demand(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                       const TensionState& state, Grasp grasp);
+GripDemand grip_demand(const Hand& hand, int fingers, const HandPulls& pulls, Grasp grasp);
 // Returns the motor force that one finger alone needs.
 double motor_force(const HandFinger& finger, bool held, const FingerPull& pull_per_motor);
 

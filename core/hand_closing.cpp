@@ -4,7 +4,7 @@
 
 namespace reeve::core {
 
-SlackOnTheWay::SlackOnTheWay(const Network& network, const Mechanics& mechanics)
+SlackOnTheWay::SlackOnTheWay(const Network& network, const Mechanics& mechanics, const Grasp& grasp)
     : plain_(mechanics) {
   if (mechanics.slack_mm.empty()) return;
   now_ = mechanics;
@@ -14,7 +14,7 @@ SlackOnTheWay::SlackOnTheWay(const Network& network, const Mechanics& mechanics)
     std::size_t at = 0;
     for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
       if (network.segments[i].kind != SegmentKind::motor_side) continue;
-      taken_in += end_travel(network, mechanics, {}, i);
+      taken_in += end_travel(network, mechanics, grasp, i);
       slack_mm += mechanics.slack_mm[i];
       if (mechanics.slack_mm[i] > 0) at = i;
     }
@@ -42,10 +42,23 @@ void SlackOnTheWay::travel(double way_mm) {
   }
 }
 
+void add_strokes(const MotorGroup& group, const Grasp& grasp, double way_mm, HandClosing& closing) {
+  const double blocked = std::numeric_limits<double>::infinity();
+  double greatest = 0;
+  for (std::size_t motor = 0; motor < max_carriages; ++motor) {
+    const double travel = grasp.carriages.over_D[motor];
+    if (group.has_motor(motor) && travel > 0) {
+      closing.strokes_mm[motor] = way_mm > 0 ? travel * way_mm : blocked;
+    }
+    greatest = std::max(greatest, closing.strokes_mm[motor]);
+  }
+  closing.stroke_mm = greatest == blocked ? 0 : greatest;
+}
+
 HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                       Kinematics& kinematics, Motion& motion) {
-  return close_hand(hand, network, mechanics, kinematics, motion,
-                    [](Grasp, double, const std::vector<double>&) {});
+                       Kinematics& kinematics, Motion& motion, const CarriageTravels& carriages) {
+  return close_hand(hand, network, mechanics, carriages, kinematics, motion,
+                    [](Grasp, double, double, const std::vector<double>&) {});
 }
 
 }  // namespace reeve::core

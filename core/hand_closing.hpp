@@ -12,6 +12,9 @@
 // A tendon with slack s, whose motor sides take in m D, closes nothing before D = s / m; a spring
 // in series stretches by none of the stroke.
 //
+// With several motors this is D of each group of them (hand_pulls.hpp), whose carriages travel v_c
+// D as the grasp says. No group's carriages are blocked by another group.
+//
 // Without blocks each tendon has 2 Σ E over its fingers (Σ E where a tendon is tied to the tip) for
 // n_a motor-side segments; the stroke is the least of these quotients.
 #pragma once
@@ -30,15 +33,16 @@
 namespace reeve::core {
 
 struct HandClosing {
-  double stroke_mm = 0;
+  double stroke_mm = 0;  // greatest of the motors; 0 if a carriage is blocked from the open hand on
   double closure = 0;
-  FingerArray closed{};  // share of each finger's range, at its number
+  FingerArray closed{};     // share of each finger's range, at its number
+  MotorArray strokes_mm{};  // of each motor; infinite if its carriage is blocked likewise
 };
 
 // SlackOnTheWay says which tendons are slack as the carriage travels.
 class SlackOnTheWay {
  public:
-  SlackOnTheWay(const Network& network, const Mechanics& mechanics);
+  SlackOnTheWay(const Network& network, const Mechanics& mechanics, const Grasp& grasp);
 
   // Returns mechanics in which tendons that are slack now never pull, and the others have no slack.
   const Mechanics& mechanics() const { return now_ ? *now_ : plain_; }
@@ -53,17 +57,16 @@ class SlackOnTheWay {
   std::map<std::size_t, double> pulls_at_mm_;  // further travel, by the segment that has the slack
 };
 
-// Calls on_phase(grasp, travel in mm, closings per travel) for each stretch of the way in which the
-// same fingers close. Keeps the memory of `motion`.
+// Closes the fingers of one group of motors and returns D. `at_end` is the grasp at the beginning.
 template <typename OnPhase>
-HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                       Kinematics& kinematics, Motion& motion, OnPhase on_phase) {
+double close_fingers(const Hand& hand, const Network& network, const Mechanics& mechanics,
+                     Grasp at_end, Kinematics& kinematics, Motion& motion, OnPhase on_phase,
+                     FingerArray& closed_share) {
   // Share of a finger's range; a finger nearer to its end than this has reached it.
   constexpr double tolerance = 1e-9;
   constexpr double no_end = std::numeric_limits<double>::infinity();
-  HandClosing closing;
-  Grasp at_end;
-  SlackOnTheWay slack(network, mechanics);
+  double way_mm = 0;
+  SlackOnTheWay slack(network, mechanics, at_end);
   const int phases = network.fingers + slack.tendons();
   for (int phase = 0; phase < phases; ++phase) {
     kinematics.solve(network, slack.mechanics(), at_end, Direction::pull, motion);
@@ -72,7 +75,7 @@ HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics
       const double way = motion.closing[static_cast<std::size_t>(f) - 1];
       if (!(way > tolerance) || at_end.holds(f)) continue;
       const double left =
-          (1 - closing.closed[static_cast<std::size_t>(f)]) * hand.finger(f).excursion_mm / way;
+          (1 - closed_share[static_cast<std::size_t>(f)]) * hand.finger(f).excursion_mm / way;
       if (travel == 0 || left < travel) travel = left;
     }
     const bool blocked = std::find(motion.jams.begin(), motion.jams.end(), 1) != motion.jams.end();
@@ -80,16 +83,35 @@ HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics
     if (!blocked && until_pull < (travel == 0 ? no_end : travel)) travel = until_pull;
     if (travel == 0) break;
     slack.travel(travel);
-    on_phase(at_end, travel, motion.closing);
-    closing.stroke_mm += travel;
+    on_phase(at_end, way_mm, travel, motion.closing);
+    way_mm += travel;
     for (int f = 1; f <= network.fingers; ++f) {
-      double& closed = closing.closed[static_cast<std::size_t>(f)];
+      double& closed = closed_share[static_cast<std::size_t>(f)];
       closed +=
           travel * motion.closing[static_cast<std::size_t>(f) - 1] / hand.finger(f).excursion_mm;
       if (closed < 1 - tolerance) continue;
       closed = 1;
       at_end.held |= std::uint64_t{1} << (f - 1);
     }
+  }
+  return way_mm;
+}
+
+void add_strokes(const MotorGroup& group, const Grasp& grasp, double way_mm, HandClosing& closing);
+
+// Calls on_phase(grasp, D before, travel in mm, closings per travel) for each stretch of the way in
+// which the same fingers close, group of motors by group. Keeps the memory of `motion`.
+template <typename OnPhase>
+HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics& mechanics,
+                       const CarriageTravels& carriages, Kinematics& kinematics, Motion& motion,
+                       OnPhase on_phase) {
+  HandClosing closing;
+  const MotorGroups groups = motor_groups(network);
+  for (const MotorGroup& group : groups) {
+    const Grasp alone = pulling_alone(group, groups, {0, carriages, 0});
+    const double way_mm = close_fingers(hand, network, mechanics, alone, kinematics, motion,
+                                        on_phase, closing.closed);
+    add_strokes(group, alone, way_mm, closing);
   }
   closing.closure = 1;
   for (int f = 1; f <= network.fingers; ++f) {
@@ -99,6 +121,7 @@ HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics
 }
 
 HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                       Kinematics& kinematics, Motion& motion);
+                       Kinematics& kinematics, Motion& motion,
+                       const CarriageTravels& carriages = {});
 
 }  // namespace reeve::core

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "core/motor_sides.hpp"
 #include "core/text.hpp"
 #include "reports/motor_words.hpp"
 
@@ -19,13 +20,17 @@ Table force_table(const ShownHand& hand) {
   for (const ShownHandFinger& finger : hand.fingers) {
     table.columns.push_back(number_column(fmt::format("finger {}", finger.finger), "N/N"));
   }
-  table.columns.push_back(number_column("motor", "N"));
+  for (int motor = 1; motor <= hand.motors; ++motor) {
+    table.columns.push_back(number_column(hand.motors > 1 ? motor_name(motor) : "motor", "N"));
+  }
   table.columns.push_back(number_column("limiting finger"));
   table.columns.push_back(number_column("frictionless", "N"));
   for (const ShownHandGrasp& grasp : hand.grasps) {
     std::vector<std::string> cells{to_text(grasp.grasp)};
     for (const ShownFingerForce& force : grasp.fingers) cells.push_back(fixed(force.per_motor_N));
-    cells.push_back(fixed(grasp.motor_force_N, 1));
+    for (int motor = 1; motor <= hand.motors; ++motor) {
+      cells.push_back(fixed(grasp.motors_N[static_cast<std::size_t>(motor) - 1], 1));
+    }
     cells.push_back(fmt::format("finger {}", grasp.weakest));
     cells.push_back(fixed(grasp.frictionless_N, 1));
     table.add(std::move(cells));
@@ -49,7 +54,9 @@ Table finger_table(const ShownHand& hand) {
               {}};
   const bool has_force = std::isfinite(hand.demand.force_N);
   if (has_force) {
-    table.columns.push_back(number_column(fmt::format("at {} N", fixed(hand.demand.force_N, 1))));
+    table.columns.push_back(
+        hand.motors > 1 ? number_column("at motor forces", "N")
+                        : number_column(fmt::format("at {} N", fixed(hand.demand.force_N, 1))));
   }
   const std::optional<double> limit = hand.motor.force_N;
   if (limit) table.columns.push_back(number_column(fmt::format("at {:.4g} N", *limit)));
@@ -66,11 +73,13 @@ Table finger_table(const ShownHand& hand) {
   return table;
 }
 
-void add_force_lines(const MotorDemand& demand, std::vector<DocumentLine>& lines) {
+void add_force_lines(const MotorDemand& demand, int motors, std::vector<DocumentLine>& lines) {
   if (!std::isfinite(demand.force_N)) {
     lines.push_back({fmt::format("No motor force is enough: with held {} finger {} hangs on slack "
-                                 "strands, since the carriage is blocked",
-                                 to_text(demand.grasp), demand.weakest),
+                                 "strands, since {}",
+                                 to_text(demand.grasp), demand.weakest,
+                                 motors > 1 ? "its carriages are blocked or stand still"
+                                            : "the carriage is blocked"),
                      true});
     return;
   }
@@ -88,23 +97,31 @@ void add_force_lines(const MotorDemand& demand, std::vector<DocumentLine>& lines
 void add_motion_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
   const MotorDemand& demand = hand.demand;
   if (!demand.can_move()) {
-    lines.push_back({"No stroke: the carriage is blocked, and no finger can close", true});
+    lines.push_back({hand.motors > 1
+                         ? "No stroke: a carriage is blocked"
+                         : "No stroke: the carriage is blocked, and no finger can close",
+                     true});
     return;
   }
   lines.push_back({fmt::format("Stroke {:.4g} mm in {:.4g} s: {:.4g} mm/s", demand.stroke_mm,
                                hand.motor.close_s, demand.speed_mm_s)});
   if (demand.closure < 1) {
-    lines.push_back({fmt::format("The carriage is then blocked, and the hand not closed: the last "
-                                 "finger stands at {} of its range",
-                                 percent(demand.closure)),
-                     true});
+    lines.push_back(
+        {fmt::format("{} is then blocked, and the hand not closed: the last finger "
+                     "stands at {} of its range",
+                     hand.motors > 1 ? "A carriage" : "The carriage", percent(demand.closure)),
+         true});
   }
   if (!std::isfinite(demand.force_N)) return;
-  lines.push_back({fmt::format(
-      "Work at most {:.3g} J, of which the springs keep {:.3g} J, friction "
-      "takes {:.3g} J, and {:.3g} J are left to the fingers; power at "
-      "most {:.3g} W",
-      demand.work_J, demand.springs_J, demand.friction_J, demand.fingers_J, demand.power_W)});
+  const std::string parts =
+      hand.motors > 1
+          ? ""
+          : fmt::format(", friction takes {:.3g} J, and {:.3g} J are left to the fingers",
+                        demand.friction_J, demand.fingers_J);
+  lines.push_back(
+      {fmt::format("Work at most {:.3g} J, of which the springs keep {:.3g} J{}; power at "
+                   "most {:.3g} W",
+                   demand.work_J, demand.springs_J, parts, demand.power_W)});
   if (!demand.torque_Nm) return;
   lines.push_back({fmt::format("At a spool radius of {:.4g} mm: {:.3g} N m, {:.3g} rpm",
                                *hand.motor.spool_radius_mm, *demand.torque_Nm, *demand.spool_rpm)});
@@ -220,7 +237,7 @@ Json motor_json(const ShownHand& hand) {
 
 std::vector<Section> hand_sections(const ShownHand& hand) {
   std::vector<DocumentLine> lines;
-  add_force_lines(hand.demand, lines);
+  add_force_lines(hand.demand, hand.motors, lines);
   append(lines, motor_lines(hand.drawn, hand.motor));
   add_motion_lines(hand, lines);
   add_reach_lines(hand, lines);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/motor_sides.hpp"
 #include "core/text.hpp"
 #include "reports/document/text_table.hpp"
 
@@ -44,6 +45,30 @@ std::vector<DocumentLine> stroke_lines(const MotorForce& force, const MotorParts
            !enough}};
 }
 
+// "Motors: M 65.8 N over 85.9 mm, M2 40.0 N over 21.3 mm"
+std::vector<DocumentLine> lines_of_motors(const std::vector<MotorNeed>& motors) {
+  if (motors.size() < 2) return {};
+  std::vector<std::string> needs;
+  for (const MotorNeed& need : motors) {
+    const std::string name = motor_name(static_cast<int>(needs.size()) + 1);
+    const std::string stroke = std::isfinite(need.stroke_mm)
+                                   ? fmt::format("over {} mm", fixed(need.stroke_mm, 1))
+                                   : "with its carriage blocked";
+    needs.push_back(fmt::format("{} {} {}", name, force_text(need.force_N), stroke));
+  }
+  return {{fmt::format("Motors: {}", fmt::join(needs, ", "))}};
+}
+
+Json motors_json(const std::vector<MotorNeed>& motors) {
+  Json json = Json::array();
+  for (const MotorNeed& need : motors) {
+    json.push_back({{"motor", json.size() + 1},
+                    {"force_N", number(need.force_N)},
+                    {"stroke_mm", number(need.stroke_mm)}});
+  }
+  return json;
+}
+
 }  // namespace
 
 std::vector<DocumentLine> motor_lines(const std::optional<MotorForce>& force,
@@ -51,31 +76,38 @@ std::vector<DocumentLine> motor_lines(const std::optional<MotorForce>& force,
   if (!force) return {};
   std::vector<DocumentLine> lines = stroke_lines(*force, motor);
   lines.insert(lines.begin(), motor_line(*force, motor));
-  append(lines, energy_lines(force->least_work_J, motor));
+  append(lines, energy_lines(force->least_work_J, motor, force->motors.size()));
+  append(lines, lines_of_motors(force->motors));
   return lines;
 }
 
-std::vector<DocumentLine> energy_lines(double least_work_J, const MotorParts& motor) {
+std::vector<DocumentLine> energy_lines(double least_work_J, const MotorParts& motor,
+                                       std::size_t motors) {
   constexpr double mm_per_m = 1000;
-  const double motor_J = motor.force_N.value_or(0) * motor.stroke_mm.value_or(0) / mm_per_m;
+  const double motor_J = static_cast<double>(motors) * motor.force_N.value_or(0) *
+                         motor.stroke_mm.value_or(0) / mm_per_m;
   if (motor_J == 0 || motor_J >= least_work_J) return {};
-  return {{fmt::format("{:.4g} N x {:.4g} mm = {:.3g} J is less than the {:.3g} J that the fingers "
-                       "take: no routing can do it",
-                       *motor.force_N, *motor.stroke_mm, motor_J, least_work_J),
-           true}};
+  return {
+      {fmt::format("{}{:.4g} N x {:.4g} mm = {:.3g} J is less than the {:.3g} J that the fingers "
+                   "take: no routing can do it",
+                   motors > 1 ? fmt::format("{} x ", motors) : "", *motor.force_N, *motor.stroke_mm,
+                   motor_J, least_work_J),
+       true}};
 }
 
 Json motor_force_json(const std::optional<MotorForce>& force, const MotorParts& motor) {
   if (!force) return nullptr;
   const auto is_enough = [&](double motor_N) { return Json(force->is_met_by(motor_N)); };
   const auto reaches = [&](double most_mm) { return Json(force->stroke_mm <= most_mm); };
-  return {{"nominal_N", number(force->nominal_N)},
-          {"p95_N", number(force->p95_N)},
-          {"draws", force->draws},
-          {"seed", force->seed},
-          {"is_enough", value_or_null(motor.force_N, is_enough)},
-          {"stroke_mm", number(force->stroke_mm)},
-          {"stroke_is_enough", value_or_null(motor.stroke_mm, reaches)}};
+  Json json{{"nominal_N", number(force->nominal_N)},
+            {"p95_N", number(force->p95_N)},
+            {"draws", force->draws},
+            {"seed", force->seed},
+            {"is_enough", value_or_null(motor.force_N, is_enough)},
+            {"stroke_mm", number(force->stroke_mm)},
+            {"stroke_is_enough", value_or_null(motor.stroke_mm, reaches)}};
+  if (force->motors.size() > 1) json["motors"] = motors_json(force->motors);
+  return json;
 }
 
 }  // namespace reeve::reports

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "causes/model_solver.hpp"
+#include "core/motor_sides.hpp"
 #include "search/evaluate/objectives.hpp"
 
 namespace reeve::studies {
@@ -19,16 +20,14 @@ Mechanics without_friction(Mechanics mechanics) {
   return mechanics;
 }
 
-ShownHandGrasp shown_grasp(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                           const TensionState& state, Grasp grasp) {
-  const GripDemand demand = grip_demand(hand, network, mechanics, state, grasp);
-  const FingerPullArray pulls = finger_pulls_of(network, mechanics, state);
-  ShownHandGrasp shown{grasp, demand.motor_force_N, 0, demand.weakest, {}};
-  for (int f = 1; f <= network.fingers; ++f) {
+ShownHandGrasp shown_grasp(const Hand& hand, int fingers, const HandPulls& pulls, Grasp grasp) {
+  const GripDemand demand = grip_demand(hand, fingers, pulls, grasp);
+  ShownHandGrasp shown{grasp, demand.motor_force_N, 0, demand.weakest, demand.motors_N, {}};
+  for (int f = 1; f <= fingers; ++f) {
     const HandFinger& finger = hand.finger(f);
     ShownFingerForce force;
     force.finger = f;
-    force.pull_per_motor = pulls[static_cast<std::size_t>(f)];
+    force.pull_per_motor = pulls.fingers[static_cast<std::size_t>(f)];
     force.per_motor_N = force_without_springs(finger, force.pull_per_motor);
     force.asks_motor_N = motor_force(finger, grasp.holds(f), force.pull_per_motor);
     if (const auto limit = hand.motor.force_N) {
@@ -45,6 +44,9 @@ void add_greatest_force(const Hand& hand, const std::vector<ShownHandGrasp>& gra
   FingerPull pull;
   for (const ShownHandGrasp& shown : grasps) {
     demand.frictionless_N = std::max(demand.frictionless_N, shown.frictionless_N);
+    for (std::size_t motor = 0; motor < max_carriages; ++motor) {
+      demand.motors_N[motor] = std::max(demand.motors_N[motor], on_grid(shown.motors_N[motor]));
+    }
     if (demand.weakest > 0 && !(shown.motor_force_N > demand.force_N)) continue;
     demand.force_N = shown.motor_force_N;
     demand.weakest = shown.weakest;
@@ -57,8 +59,13 @@ void add_greatest_force(const Hand& hand, const std::vector<ShownHandGrasp>& gra
 }
 
 void add_motion(const MotorParts& motor, MotorDemand& demand) {
+  for (std::size_t m = 0; m < max_carriages; ++m) {
+    const double stroke_mm = demand.strokes_mm[m];
+    demand.stroke_mm = std::max(demand.stroke_mm, stroke_mm);
+    if (std::isfinite(stroke_mm)) demand.work_J += demand.motors_N[m] * stroke_mm / mm_in_m;
+  }
+  if (!std::isfinite(demand.stroke_mm)) demand.stroke_mm = 0;
   demand.speed_mm_s = demand.stroke_mm / motor.close_s;
-  demand.work_J = demand.force_N * demand.stroke_mm / mm_in_m;
   demand.power_W = demand.work_J / motor.close_s;
   if (!motor.spool_radius_mm) return;
   constexpr double s_in_min = 60;
@@ -105,29 +112,36 @@ class HandStudy {
   ShownHand run(const GraspSet& grasps) {
     ShownHand shown;
     shown.motor = hand_.motor;
+    shown.motors = carriage_count(network_);
     for (const WeightedGrasp& weighted : grasps) {
-      const TensionState& state = pulled(weighted.grasp);
-      shown.grasps.push_back(shown_grasp(hand_, network_, solver_.solved(), state, weighted.grasp));
-      const TensionState ideal = tensions(network_, frictionless_, weighted.grasp);
-      shown.grasps.back().frictionless_N =
-          grip_demand(ideal_hand_, network_, frictionless_, ideal, weighted.grasp).motor_force_N;
+      shown.grasps.push_back(
+          shown_grasp(hand_, network_.fingers, pulls_in(weighted.grasp), weighted.grasp));
+      shown.grasps.back().frictionless_N = frictionless_force_N(weighted.grasp);
     }
     add_reach(grasps, shown);
     add_greatest_force(hand_, shown.grasps, shown.demand);
     add_forces(shown);
-    add_closing(shown);
+    add_closing(grasps, shown);
     shown.closings = shown_closings(hand_, network_.fingers);
     return shown;
   }
 
  private:
-  const TensionState& pulled(Grasp grasp) {
-    return require_in_range(solver_.solve(grasp, Direction::pull, model_.conditions), grasp);
+  HandPulls pulls_in(const Grasp& grasp) {
+    return hand_pulls(network_, grasp, [&](const Grasp& alone) {
+      const TensionState& state =
+          require_in_range(solver_.solve(alone, Direction::pull, model_.conditions), alone);
+      return SolvedGrasp{state, solver_.solved()};
+    });
   }
 
-  FingerPullArray pulls_in(Grasp grasp) {
-    const TensionState& state = pulled(grasp);
-    return finger_pulls_of(network_, solver_.solved(), state);
+  double frictionless_force_N(const Grasp& grasp) const {
+    TensionState state;
+    const HandPulls pulls = hand_pulls(network_, grasp, [&](const Grasp& alone) {
+      state = tensions(network_, frictionless_, alone);
+      return SolvedGrasp{state, frictionless_};
+    });
+    return grip_demand(ideal_hand_, network_.fingers, pulls, grasp).motor_force_N;
   }
 
   void add_reach(const GraspSet& grasps, ShownHand& shown) {
@@ -136,57 +150,73 @@ class HandStudy {
       reach.motor_N = *force;
       reach.share = std::numeric_limits<double>::infinity();
       for (const WeightedGrasp& weighted : grasps) {
-        const FingerPullArray pulls = pulls_in(weighted.grasp);
-        add_grasp(hand_, network_.fingers, weighted.grasp, pulls, reach);
+        add_grasp(hand_, network_.fingers, weighted.grasp, pulls_in(weighted.grasp), reach);
       }
     }
     if (const auto stroke = hand_.motor.stroke_mm) {
-      shown.stroke_reach = stroke_reach(hand_, network_, plain_, *stroke);
+      shown.stroke_reach = stroke_reach(hand_, network_, plain_, travels_of(grasps), *stroke);
     }
   }
 
-  void add_forces(ShownHand& shown) const {
+  void add_forces(ShownHand& shown) {
     if (!std::isfinite(shown.demand.force_N)) return;
     for (ShownHandGrasp& grasp : shown.grasps) {
+      const HandPulls pulls = pulls_in(grasp.grasp);
       for (ShownFingerForce& force : grasp.fingers) {
         const HeldForce held =
-            held_force(hand_.finger(force.finger), force.pull_per_motor, shown.demand.force_N);
+            held_force(hand_.finger(force.finger), force.pull_per_motor,
+                       pulls.hardest_pull_N(force.finger, shown.demand.motors_N));
         force.force_N = held.force_N;
         force.gives = held.joint;
       }
     }
   }
 
-  void add_closing(ShownHand& shown) {
+  // Adds work that reaches the fingers, J per N of motor tension. Several motors have no one force.
+  HandClosing closing_of(const CarriageTravels& carriages, int motors, double& to_fingers) {
     Kinematics kinematics;
     Motion motion;
-    double to_fingers = 0;  // J per N of motor tension
-    double before_mm = 0;
-    const HandClosing closing = close_hand(
-        hand_, network_, plain_, kinematics, motion,
-        [&](Grasp at_end, double travel_mm, const std::vector<double>& closings) {
+    return close_hand(
+        hand_, network_, plain_, carriages, kinematics, motion,
+        [&](Grasp at_end, double before_mm, double travel_mm, const std::vector<double>& closings) {
+          if (motors > 1 || *std::ranges::max_element(closings) == 0) return;
           // How tendons behind slack share the carriage changes on the way: as in its middle.
           Mechanics there = plain_;
           there.travel_mm = before_mm + travel_mm / 2;
-          before_mm += travel_mm;
-          if (*std::ranges::max_element(closings) == 0) return;
           solver_.set_routing(word_, network_, there);
-          const FingerPullArray pulls = pulls_in(at_end);
+          const HandPulls pulls = pulls_in(at_end);
           for (std::size_t f = 0; f < closings.size(); ++f) {
             const HandFinger& finger = hand_.finger(static_cast<int>(f) + 1);
-            to_fingers += working_pull(finger, pulls[f + 1]) * closings[f] * travel_mm / mm_in_m;
+            to_fingers +=
+                working_pull(finger, pulls.fingers[f + 1]) * closings[f] * travel_mm / mm_in_m;
           }
         });
+  }
+
+  void add_closing(const GraspSet& grasps, ShownHand& shown) {
     MotorDemand& demand = shown.demand;
-    demand.stroke_mm = closing.stroke_mm;
-    demand.closure = closing.closure;
+    demand.closure = 1;
+    double to_fingers = 0;
+    FingerArray closed;
+    closed.fill(1);
+    for (const CarriageTravels& carriages : travels_of(grasps)) {
+      const HandClosing closing = closing_of(carriages, shown.motors, to_fingers);
+      demand.closure = std::min(demand.closure, closing.closure);
+      for (std::size_t m = 0; m < max_carriages; ++m) {
+        demand.strokes_mm[m] = std::max(demand.strokes_mm[m], closing.strokes_mm[m]);
+      }
+      for (std::size_t f = 0; f < closed.size(); ++f) {
+        closed[f] = std::min(closed[f], closing.closed[f]);
+      }
+    }
     add_motion(hand_.motor, demand);
     for (int f = 1; f <= network_.fingers; ++f) {
       const HandFinger& finger = hand_.finger(f);
-      const double closed = closing.closed[static_cast<std::size_t>(f)];
-      shown.fingers.push_back({f, finger.force_N, finger.excursion_mm, closed});
-      demand.springs_J += spring_energy(finger, closed);
+      const double share = closed[static_cast<std::size_t>(f)];
+      shown.fingers.push_back({f, finger.force_N, finger.excursion_mm, share});
+      demand.springs_J += spring_energy(finger, share);
     }
+    if (shown.motors > 1) return;
     demand.friction_J = demand.work_J - demand.force_N * to_fingers;
     demand.fingers_J = demand.force_N * to_fingers - demand.springs_J;
   }
@@ -201,13 +231,43 @@ class HandStudy {
   ModelSolver solver_;
 };
 
+// Travel of the fastest carriage over D.
+double fastest(const CarriageTravels& carriages) {
+  const auto* const first = carriages.over_D.data();
+  return carriages.given == 0 ? 1 : *std::max_element(first, first + carriages.given);
+}
+
+// The motors stop when one of a group has used its stroke up.
+StrokeReach reach_of_travels(const Hand& hand, const Network& network, const Mechanics& mechanics,
+                             const CarriageTravels& carriages, double limit_mm) {
+  StrokeReach reach;
+  reach.closed.assign(static_cast<std::size_t>(network.fingers), 0.0);
+  Kinematics kinematics;
+  Motion motion;
+  double used_mm = 0;
+  close_hand(
+      hand, network, mechanics, carriages, kinematics, motion,
+      [&](Grasp grasp, double before_mm, double travel_mm, const std::vector<double>& closings) {
+        if (before_mm == 0) used_mm = 0;
+        const double most = fastest(grasp.carriages);
+        const double way = std::min(travel_mm, limit_mm / most - used_mm);
+        for (std::size_t f = 0; f < closings.size() && f < reach.closed.size(); ++f) {
+          const double excursion = hand.finger(static_cast<int>(f) + 1).excursion_mm;
+          reach.closed[f] = std::min(1.0, reach.closed[f] + way * closings[f] / excursion);
+        }
+        used_mm += way;
+        reach.stroke_mm = std::max(reach.stroke_mm, most * used_mm);
+      });
+  return reach;
+}
+
 }  // namespace
 
-void add_grasp(const Hand& hand, int fingers, Grasp grasp, const FingerPullArray& pulls,
+void add_grasp(const Hand& hand, int fingers, Grasp grasp, const HandPulls& pulls,
                ForceReach& reach) {
   for (int f = 1; f <= fingers; ++f) {
     const HandFinger& finger = hand.finger(f);
-    const FingerPull& pull_per_motor = pulls[static_cast<std::size_t>(f)];
+    const FingerPull& pull_per_motor = pulls.fingers[static_cast<std::size_t>(f)];
     const HeldForce held = held_force(finger, pull_per_motor, reach.motor_N);
     const bool closes = grasp.holds(f) || closes_springs(finger, pull_per_motor, reach.motor_N);
     if (closes && finger.force_N == 0) continue;
@@ -226,20 +286,16 @@ void add_grasp(const Hand& hand, int fingers, Grasp grasp, const FingerPullArray
 }
 
 StrokeReach stroke_reach(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                         double limit_mm) {
+                         const std::vector<CarriageTravels>& travels, double limit_mm) {
   StrokeReach reach;
-  reach.closed.assign(static_cast<std::size_t>(network.fingers), 0.0);
-  Kinematics kinematics;
-  Motion motion;
-  close_hand(hand, network, mechanics, kinematics, motion,
-             [&](Grasp, double travel_mm, const std::vector<double>& closings) {
-               const double way = std::min(travel_mm, limit_mm - reach.stroke_mm);
-               for (std::size_t f = 0; f < closings.size() && f < reach.closed.size(); ++f) {
-                 const double excursion = hand.finger(static_cast<int>(f) + 1).excursion_mm;
-                 reach.closed[f] = std::min(1.0, reach.closed[f] + way * closings[f] / excursion);
-               }
-               reach.stroke_mm += way;
-             });
+  reach.closed.assign(static_cast<std::size_t>(network.fingers), 1.0);
+  for (const CarriageTravels& carriages : travels) {
+    const StrokeReach one = reach_of_travels(hand, network, mechanics, carriages, limit_mm);
+    reach.stroke_mm = std::max(reach.stroke_mm, one.stroke_mm);
+    for (std::size_t f = 0; f < reach.closed.size(); ++f) {
+      reach.closed[f] = std::min(reach.closed[f], one.closed[f]);
+    }
+  }
   // Sums of stretches miss the end, and each other, by a rounding error.
   constexpr double rounding = 1e-9;
   const double least = *std::ranges::min_element(reach.closed);

@@ -2,18 +2,21 @@
 //
 //   motor force F     least motor tension at which every finger presses with its wanted force in
 //                     every grasp (core/hand.hpp), at the nominal coefficients
+//                     (with several motors, of the one that needs most: motor_force.hpp)
 //   stroke D          of the carriage from the open hand (core/hand_closing.hpp)
 //   speed             D over the time to close
-//   work, power       F D, and F times the speed: at most, if the hand closes against F all the way
+//   work, power       Σ F D over the motors, and that over the time to close: at most, if the hand
+//                     closes against F all the way
 //   torque            F times the spool's radius; the spool turns with speed over radius
 //   friction cost     1 − F0 / F, F0 the motor force of the same hand without any friction
 //
-// The work F D parts into what the springs keep, what friction takes, and what is left to the
-// fingers: work at objects and stops. In a finger that does not close whole, all joints stand at
-// the same share of their ranges.
+// The work F D of one motor parts into what the springs keep, what friction takes, and what is left
+// to the fingers: work at objects and stops. In a finger that does not close whole, all joints
+// stand at the same share of their ranges.
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,13 +60,13 @@ struct StrokeReach {
   std::vector<double> closed;  // share of each finger's range
 };
 
-// Adds a grasp: the pulls of the fingers per newton of motor tension, at their numbers.
-void add_grasp(const Hand& hand, int fingers, Grasp grasp, const FingerPullArray& pulls,
+// Adds a grasp.
+void add_grasp(const Hand& hand, int fingers, Grasp grasp, const HandPulls& pulls,
                ForceReach& reach);
 
 // The mechanics without the effects of a model, as for the whole stroke.
 StrokeReach stroke_reach(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                         double limit_mm);
+                         const std::vector<CarriageTravels>& travels, double limit_mm);
 
 struct ShownFingerForce {
   int finger = 0;
@@ -80,6 +83,7 @@ struct ShownHandGrasp {
   double motor_force_N = 0;
   double frictionless_N = 0;
   int weakest = 0;
+  MotorArray motors_N{};  // force of each motor
   std::vector<ShownFingerForce> fingers;
 };
 
@@ -93,17 +97,19 @@ struct ShownHandFinger {
 struct MotorDemand {
   double force_N = 0;
   double frictionless_N = 0;
-  int weakest = 0;        // the finger that asks for it,
-  std::size_t joint = 0;  // its joint that does, from 0,
-  Grasp grasp{};          // and the grasp in which it does
+  MotorArray motors_N{};    // of each motor
+  MotorArray strokes_mm{};  // likewise; infinite if its carriage is blocked
+  int weakest = 0;          // the finger that asks for it,
+  std::size_t joint = 0;    // its joint that does, from 0,
+  Grasp grasp{};            // and the grasp in which it does
   double stroke_mm = 0;
   double closure = 0;
   double speed_mm_s = 0;
   double work_J = 0;
   double power_W = 0;
   double springs_J = 0;
-  double friction_J = 0;
-  double fingers_J = 0;
+  double friction_J = std::numeric_limits<double>::quiet_NaN();  // of one motor only
+  double fingers_J = std::numeric_limits<double>::quiet_NaN();   // likewise
   std::optional<double> torque_Nm{};
   std::optional<double> spool_rpm{};
 
@@ -125,6 +131,7 @@ struct ShownHand {
   std::vector<ShownHandGrasp> grasps;
   MotorDemand demand;
   MotorParts motor;
+  int motors = 1;
   // The motor force with its quantile over draws, where somebody asked for it; its nominal one is
   // that of the demand.
   std::optional<MotorForce> drawn{};

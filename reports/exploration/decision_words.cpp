@@ -298,7 +298,8 @@ std::vector<DocumentLine> infeasible_lines(const ExploreOptions& options,
   }
   const Hardware& hardware = options.model.hardware;
   const double work_J = least_work_J(hardware, options.generator.fingers, options.grasps);
-  append(lines, energy_lines(work_J, hardware.motor));
+  const auto motors = static_cast<std::size_t>(options.generator.parts.motors);
+  append(lines, energy_lines(work_J, hardware.motor, motors));
   return lines;
 }
 

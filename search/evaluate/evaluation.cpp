@@ -50,6 +50,17 @@ bool blocks_the_carriage(const Network& network) {
   return !std::all_of(network.tendons.begin(), network.tendons.end(), has_strand);
 }
 
+// A carriage that lets its tendons out closes no finger.
+void require_carriages_that_pull(const GraspSet& grasps) {
+  for (const WeightedGrasp& weighted : grasps) {
+    const auto& travels = weighted.grasp.carriages.over_D;
+    if (*std::min_element(travels.begin(), travels.end()) >= 0) continue;
+    throw InputError({.where = fmt::format("grasp '{}'", to_text(weighted.grasp)),
+                      .what = "a carriage lets its tendons out, and the motors of a hand close it",
+                      .expected = "travels of 0 or more, or hardware without joints"});
+  }
+}
+
 }  // namespace
 
 DesignEvaluator::DesignEvaluator(const Hardware& hardware, GraspSet grasps)
@@ -62,8 +73,10 @@ DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps, Score scor
       builder_(possible_hardware(model)),
       hand_(hand(model.hardware)),
       grasps_(std::move(grasps)),
+      travels_(travels_of(grasps_)),
       score_(std::move(score)),
       prices_(std::move(prices)) {
+  if (hand_) require_carriages_that_pull(grasps_);
   if (search::may_not_converge(model)) model_solver_.emplace(*model_);
 }
 
@@ -99,13 +112,22 @@ GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const Evaluat
   if (scope.indicators)
     outcome.indicators = indicators(network_, pulled, pulls, given_up_equivalent_);
   if (evaluates_hand(scope)) {
-    outcome.grip = grip_demand(*hand_, network_, solved_mechanics(), pulled, grasp.grasp);
+    outcome.grip = grip(pulled, grasp.grasp);
   }
   if (!scope.release) return outcome;
   const TensionState& released = solve(grasp.grasp, Direction::release);
   outcome.round_trip_efficiency = round_trip_efficiency(
       outcome.pull.efficiency, motor_efficiency(network_, released, Direction::release));
   return outcome;
+}
+
+// One motor, or several that all pull together, do so in `pulled`.
+GripDemand DesignEvaluator::grip(const TensionState& pulled, Grasp grasp) {
+  const HandPulls pulls = hand_pulls(network_, grasp, [&](const Grasp& alone) {
+    const TensionState& state = alone == grasp ? pulled : solve(alone, Direction::pull);
+    return SolvedGrasp{state, solved_mechanics()};
+  });
+  return grip_demand(*hand_, network_.fingers, pulls, grasp);
 }
 
 // Without blocks a tendon gives to its strands what the carriage takes from it. One that has none
@@ -134,10 +156,18 @@ bool DesignEvaluator::evaluates_hand(const EvaluationScope& scope) const {
 }
 
 HandOutcome DesignEvaluator::hand_outcome() {
-  const HandClosing closing = close_hand(*hand_, network_, mechanics_, kinematics_, motion_);
-  const double stroke =
-      closing.stroke_mm > 0 ? closing.stroke_mm : std::numeric_limits<double>::infinity();
-  return {stroke, closing.closure, hand_->motor.close_s};
+  HandOutcome outcome{0, 1, hand_->motor.close_s, {}};
+  for (const CarriageTravels& travels : travels_) {
+    const HandClosing closing =
+        close_hand(*hand_, network_, mechanics_, kinematics_, motion_, travels);
+    outcome.closure = std::min(outcome.closure, closing.closure);
+    for (std::size_t motor = 0; motor < max_carriages; ++motor) {
+      double& stroke = outcome.strokes_mm[motor];
+      stroke = std::max(stroke, closing.strokes_mm[motor]);
+      outcome.stroke_mm = std::max(outcome.stroke_mm, stroke);
+    }
+  }
+  return outcome;
 }
 
 const DesignOutcome& DesignEvaluator::outcome(const Routing& routing,
@@ -174,13 +204,6 @@ std::vector<Grasp> DesignEvaluator::smallest_jams(const Routing& routing) {
 }
 
 void DesignEvaluator::set_routing(const Routing& routing) {
-  if (const int motors = carriage_count(routing); hand_ && motors > 1) {
-    throw InputError({.where = fmt::format("routing '{}'", to_word(routing)),
-                      .what = fmt::format("it has {} motors, and the forces of a hand are computed "
-                                          "for one",
-                                          motors),
-                      .expected = "hardware without joints, or a routing of one motor"});
-  }
   expand(routing, network_);
   builder_.apply(network_, mechanics_);
   builder_.require_in_range(network_, mechanics_);

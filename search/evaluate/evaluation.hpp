@@ -87,6 +87,7 @@ class DesignEvaluator {
   const Mechanics& solved_mechanics();  // of the last solve
   double travel();
   bool evaluates_hand(const EvaluationScope& scope) const;
+  GripDemand grip(const TensionState& pulled, Grasp grasp);
   HandOutcome hand_outcome();
   ContactQuantiles contact_quantiles();
 
@@ -100,6 +101,7 @@ class DesignEvaluator {
   MechanicsBuilder builder_;
   std::optional<Hand> hand_;
   GraspSet grasps_;
+  std::vector<CarriageTravels> travels_;  // of the grasps, each once
   Score score_;
   std::optional<PartPrices> prices_;
   Network network_;

@@ -43,12 +43,17 @@ double motor_force(const DesignOutcome& design) {
   return -worst(design.grasps, [](const GraspOutcome& g) { return -g.grip.motor_force_N; });
 }
 
-// Upper bound: greatest force over the whole stroke.
+// Upper bound: greatest force over the whole stroke, of all motors together.
 double motor_power(const DesignOutcome& design) {
-  const double force = motor_force(design);
-  if (!(force > 0)) return 0;
+  const MotorArray forces = motor_forces(design);
   constexpr double mm_in_m = 1000;
-  return force * design.hand.stroke_mm / mm_in_m / design.hand.close_s;
+  double power = 0;
+  for (std::size_t motor = 0; motor < max_carriages; ++motor) {
+    if (!(forces[motor] > 0)) continue;
+    if (std::isinf(forces[motor])) return forces[motor];
+    power += forces[motor] * design.hand.strokes_mm[motor] / mm_in_m / design.hand.close_s;
+  }
+  return power;
 }
 
 constexpr std::array<ObjectiveRow, objective_count> table{{
@@ -198,6 +203,16 @@ std::vector<std::string> names_for_objectives() {
 }
 
 }  // namespace
+
+MotorArray motor_forces(const DesignOutcome& design) {
+  MotorArray forces{};
+  for (const GraspOutcome& grasp : design.grasps) {
+    for (std::size_t motor = 0; motor < max_carriages; ++motor) {
+      forces[motor] = std::max(forces[motor], grasp.grip.motors_N[motor]);
+    }
+  }
+  return forces;
+}
 
 double on_grid(double value) {
   constexpr double grid = 1e10;

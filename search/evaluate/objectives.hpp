@@ -80,9 +80,10 @@ struct ContactQuantiles {
 
 // Outcome for the whole hand; 0 without one.
 struct HandOutcome {
-  double stroke_mm = 0;  // infinite if no finger can close
+  double stroke_mm = 0;  // greatest of the motors; infinite if no finger of one can close
   double closure = 0;
   double close_s = 0;
+  MotorArray strokes_mm{};  // of each motor
 };
 
 struct DesignOutcome {
@@ -100,6 +101,9 @@ struct DesignOutcome {
   ContactQuantiles where_contacts_scatter{};
   HandOutcome hand{};
 };
+
+// Greatest force of each motor over the grasps.
+MotorArray motor_forces(const DesignOutcome& design);
 
 // One row for each objective. Rows that differ in `part` only (mean, worst) are one thing for
 // readers: one column, one key with two values.

@@ -27,22 +27,34 @@ double quantile(const Routing& routing, const UncertaintyOptions& options) {
   }
 }
 
+std::vector<MotorNeed> motor_needs(const DesignOutcome& design, int motors) {
+  const MotorArray forces = motor_forces(design);
+  std::vector<MotorNeed> needs;
+  for (std::size_t motor = 0; motor < static_cast<std::size_t>(motors); ++motor) {
+    needs.push_back({on_grid(forces[motor]), on_grid(design.hand.strokes_mm[motor])});
+  }
+  return needs;
+}
+
 }  // namespace
 
 std::optional<MotorForce> motor_force(const Routing& routing, const UncertaintyOptions& options) {
   const EvaluationScope scope =
       scope_for({Objective::motor_force, Objective::stroke, Objective::closure}, options.score);
-  const ObjectiveValues values =
-      DesignEvaluator(options.nominal, options.grasps, options.score).evaluate(routing, scope);
+  DesignEvaluator evaluator(options.nominal, options.grasps, options.score);
+  const DesignOutcome& design = evaluator.outcome(routing, scope);
+  ObjectiveValues values{};
+  compute_objectives(design, values);
   if (!has_hand(values)) return std::nullopt;
-  return MotorForce{.nominal_N = value(values, Objective::motor_force),
-                    .p95_N = quantile(routing, options),
-                    .draws = options.draws,
-                    .seed = options.seed,
-                    .stroke_mm = value(values, Objective::stroke),
-                    .closure = value(values, Objective::closure),
-                    .least_work_J = least_work_J(options.nominal.hardware, finger_count(routing),
-                                                 options.grasps)};
+  return MotorForce{
+      .nominal_N = value(values, Objective::motor_force),
+      .p95_N = quantile(routing, options),
+      .draws = options.draws,
+      .seed = options.seed,
+      .stroke_mm = value(values, Objective::stroke),
+      .closure = value(values, Objective::closure),
+      .least_work_J = least_work_J(options.nominal.hardware, finger_count(routing), options.grasps),
+      .motors = motor_needs(design, carriage_count(routing))};
 }
 
 double least_work_J(const Hardware& hardware, int fingers, const GraspSet& grasps) {

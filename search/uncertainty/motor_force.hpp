@@ -6,6 +6,11 @@
 //
 //   stroke    the objective stroke, at the nominal coefficients
 //
+// With several motors, F_M of motor c is max F_g r_c over the grasps g: F_g is the least force of
+// the motor that pulls hardest in c's group (core/hand_pulls.hpp) at which its fingers reach their
+// forces, r_c the tension of c per newton of it. The objectives are those of the motors that need
+// most.
+//
 // A motor is enough if it pulls with the quantile: then 95 % of the hands reach all wanted forces.
 // Its stroke is enough if the hand closes by it.
 //   least work  no lossless routing needs less than Σ P_f E_f over the fingers that close in a
@@ -19,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "core/routing.hpp"
 #include "search/uncertainty/uncertainty.hpp"
@@ -27,6 +33,11 @@ namespace reeve::search {
 
 // The number of draws if the user gives none.
 inline constexpr std::size_t motor_draws = 1000;
+
+struct MotorNeed {
+  double force_N = 0;    // nominal
+  double stroke_mm = 0;  // infinite if its carriage cannot move from the open hand
+};
 
 struct MotorForce {
   double nominal_N = 0;  // infinite if no force is enough
@@ -37,6 +48,7 @@ struct MotorForce {
   double stroke_mm = 0;  // infinite if the carriage cannot move from the open hand
   double closure = 1;    // at that stroke; below 1 if the carriage is then blocked
   double least_work_J = 0;
+  std::vector<MotorNeed> motors{};  // of each motor
 
   bool is_met_by(double motor_N) const { return p95_N <= motor_N; }
 };

@@ -158,7 +158,7 @@ TEST(FingerGuides, OfAHeldFingerLetTheTighterStrandLoadTheOtherRoundTheTip) {
     const Mechanics parts = mechanics(net, hardware);
     const Grasp grasp = hold({one.held});
     const GripDemand demand =
-        grip_demand(*hand(hardware), net, parts, tensions(net, parts, grasp), grasp);
+        grip_demand(*hand(hardware), net.fingers, testing::pulls_in(net, parts, grasp), grasp);
     EXPECT_NEAR(demand.force_per_motor_N, one.palm_N * pull * 10 / 60, 1e-9) << one.word;
     EXPECT_NEAR(demand.motor_force_N, 60 * 5 / (one.palm_N * pull * 10), 1e-9) << one.word;
     EXPECT_EQ(demand.weakest, one.held);

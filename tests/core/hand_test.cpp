@@ -28,7 +28,7 @@ HandFinger finger_of(const FingerParts& parts) { return hand(hand_of({parts}))->
 GripDemand demand_of(const std::string& word, const Hardware& hardware, Grasp grasp) {
   const Network net = network_of(word);
   const Mechanics parts = mechanics(net, hardware);
-  return grip_demand(*hand(hardware), net, parts, tensions(net, parts, grasp), grasp);
+  return grip_demand(*hand(hardware), net.fingers, testing::pulls_in(net, parts, grasp), grasp);
 }
 
 // Torque that is left to a joint's flexion under a pull and a fingertip force.

@@ -50,6 +50,15 @@ TEST(KeysOfShow, AddAHandWhereTheHardwareHasOne) {
   EXPECT_EQ(keys(hand["motor"]["weakest"]), "finger joint held");
 }
 
+TEST(KeysOfShow, AddTheForceAndStrokeOfEachOfSeveralMotors) {
+  const Json json = json_of({"show", "M-1-T-2-F+M2-3-F", "--hardware", example_hand});
+  const Json& drawn = json["hand"]["motor"]["drawn"];
+  EXPECT_EQ(keys(drawn), "nominal_N p95_N draws seed is_enough stroke_mm stroke_is_enough motors");
+  ASSERT_EQ(drawn["motors"].size(), 2U);
+  EXPECT_EQ(keys(drawn["motors"][1]), "motor force_N stroke_mm");
+  EXPECT_EQ(drawn["motors"][1]["motor"], 2);
+}
+
 TEST(KeysOfRank, AddAHandWhereTheHardwareHasOne) {
   const Json json = json_of({"rank", "M-1-T-2-T-3-F", "--hardware", example_hand});
   EXPECT_EQ(keys(json["designs"][0]),

@@ -12,6 +12,7 @@
 
 #include "core/hand_closing.hpp"
 #include "studies/shown_hand.hpp"
+#include "tests/support/example_hand.hpp"
 #include "tests/support/random_routing.hpp"
 
 namespace reeve {
@@ -124,7 +125,9 @@ TEST(HandOfARandomRouting, MeetsEveryWantedForceAtTheMotorForceAndNotBelowIt) {
     const Hand known = *hand(hardware);
     const Mechanics parts = mechanics(trial.network, hardware);
     const TensionState state = tensions(trial.network, parts, trial.grasp);
-    const GripDemand demand = grip_demand(known, trial.network, parts, state, trial.grasp);
+    const GripDemand demand =
+        grip_demand(known, trial.network.fingers,
+                    testing::pulls_in(trial.network, parts, trial.grasp), trial.grasp);
     if (!std::isfinite(demand.motor_force_N) || demand.motor_force_N == 0) return;
     const FingerArray pulls = pulls_by_finger(trial.network, state);
     for (int f = 1; f <= trial.network.fingers; ++f) {

@@ -50,6 +50,17 @@ TEST(HandSections, HaveNoNumbersWhereNoMotorForceIsEnough) {
   EXPECT_FALSE(testing::has(said, "- of it"));
 }
 
+TEST(HandSections, HaveAColumnForEachOfSeveralMotorsAndNoPartsOfTheirWork) {
+  const std::string said = said_of("M-1-F+M2-2-F", 60, 2);
+  EXPECT_TRUE(testing::has(said, "finger 2  M (N)  M2 (N)  limiting finger"));
+  EXPECT_TRUE(testing::has(said, "at motor forces (N)"));
+  EXPECT_FALSE(testing::has(said, "friction takes"));
+  const Json motor = motor_of("M-1-F+M2-2-F", 60, 2);
+  EXPECT_TRUE(motor["friction_J"].is_null());
+  EXPECT_TRUE(motor["fingers_J"].is_null());
+  EXPECT_TRUE(motor["work_J"].is_number());
+}
+
 // The tendon without a finger is tied at both ends.
 TEST(HandSections, GiveNoStrokeOfACarriageThatCannotMove) {
   const std::string said = said_of("M-F+M-1-F+M-2-M", 30, 2);

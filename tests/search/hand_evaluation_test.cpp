@@ -54,8 +54,8 @@ TEST(HandObjectives, AreTheMostThatAGraspAsksForAndTheLeastThatAFingerGets) {
   double mean = 0;
   const GraspSet grasps = parse_grasps("none:3/1:1", 2);
   for (const WeightedGrasp& grasp : grasps) {
-    const GripDemand demand =
-        grip_demand(*hand(hardware), net, parts, tensions(net, parts, grasp.grasp), grasp.grasp);
+    const GripDemand demand = grip_demand(*hand(hardware), net.fingers,
+                                          testing::pulls_in(net, parts, grasp.grasp), grasp.grasp);
     most = std::max(most, demand.motor_force_N);
     least = std::min(least, demand.force_per_motor_N);
     mean += grasp.weight * demand.force_per_motor_N / 4;
@@ -101,6 +101,78 @@ TEST(HandObjectives, AreInfiniteWhereABlockedCarriageLeavesAFingerSlack) {
   EXPECT_EQ(value(values, Objective::motor_power), without_end);
   EXPECT_LT(value(values, Objective::closure), 1);
   EXPECT_TRUE(has_hand(values));
+}
+
+DesignOutcome outcome(const std::string& word, const Hardware& hardware, const GraspSet& grasps) {
+  return DesignEvaluator(hardware, grasps).outcome(parse_routing(word));
+}
+
+// Without friction both strands have the tendon's tension T, and the fingertip 2 T r / h.
+Hardware frictionless(Hardware hardware) {
+  for (ContactLaw* law : {&hardware.tube, &hardware.bearing, &hardware.sheath}) law->mu = 0;
+  return hardware;
+}
+
+// Finger 1 needs 60 / 8 · 5 / 2 N, finger 2 50 / 10 · 6 / 2 N, held or not: a finger that is held
+// blocks its own motor only.
+TEST(HandOfSeveralMotors, WithATendonEachHasTheForceAndStrokeOfItsOwnFinger) {
+  const Hardware hardware =
+      frictionless(hand_of({simple_finger(8, 90, 60, 5), simple_finger(10, 70, 50, 6)}));
+  const DesignOutcome design = outcome("M-1-F+M2-2-F", hardware, single_grasps(2));
+  const Hand known = *hand(hardware);
+  EXPECT_NEAR(motor_forces(design)[0], 18.75, 1e-9);
+  EXPECT_NEAR(motor_forces(design)[1], 15, 1e-9);
+  EXPECT_NEAR(design.hand.strokes_mm[0], 2 * known.finger(1).excursion_mm, 1e-9);
+  EXPECT_NEAR(design.hand.strokes_mm[1], 2 * known.finger(2).excursion_mm, 1e-9);
+  EXPECT_EQ(design.hand.closure, 1);
+  ObjectiveValues values{};
+  compute_objectives(design, values);
+  EXPECT_NEAR(value(values, Objective::motor_force), 18.75, 1e-9);
+  EXPECT_NEAR(value(values, Objective::stroke), 2 * known.finger(1).excursion_mm, 1e-9);
+  EXPECT_NEAR(
+      value(values, Objective::motor_power),
+      (18.75 * 2 * known.finger(1).excursion_mm + 15 * 2 * known.finger(2).excursion_mm) / 1000,
+      1e-9);
+}
+
+// Each motor pulls one strand of the finger: its force is half the pull behind its sheath.
+TEST(HandOfSeveralMotors, OnOneTendonShareItsPullAlike) {
+  const Hardware hardware = hand_of({simple_finger(8, 90, 60, 5)});
+  const DesignOutcome design = outcome("M-1-M2", hardware, single_grasps(1));
+  const double force = 60.0 / 8 * 5 / 2 * std::exp(hardware.sheath.exponent());
+  EXPECT_NEAR(motor_forces(design)[0], force, 1e-9);
+  EXPECT_NEAR(motor_forces(design)[1], force, 1e-9);
+  EXPECT_NEAR(design.hand.strokes_mm[0], hand(hardware)->finger(1).excursion_mm, 1e-9);
+}
+
+// Without friction all segments have one tension. The carriages take in 1.5 D = 2 E.
+TEST(HandOfSeveralMotors, WhoseCarriagesTravelUnlikeHaveStrokesInThatRatio) {
+  const Hardware hardware = frictionless(hand_of({simple_finger(8, 90, 60, 5)}));
+  const DesignOutcome design = outcome("M-1-M2", hardware, parse_grasps("none@1,0.5", 1, 2));
+  const double excursion = hand(hardware)->finger(1).excursion_mm;
+  EXPECT_NEAR(design.hand.strokes_mm[0], 2 * excursion / 1.5, 1e-9);
+  EXPECT_NEAR(design.hand.strokes_mm[1], excursion / 1.5, 1e-9);
+  EXPECT_NEAR(motor_forces(design)[0], 18.75, 1e-9);
+  EXPECT_NEAR(motor_forces(design)[1], 18.75, 1e-9);
+}
+
+// Every way in which the carriages travel must fit.
+TEST(HandOfSeveralMotors, HaveTheGreatestStrokesOfAllTravelsOfTheirCarriages) {
+  const Hardware hardware = hand_of({simple_finger(8, 90, 60, 5)});
+  const DesignOutcome design =
+      outcome("M-1-M2", hardware, parse_grasps("none@1,0.5/none@0.5,1", 1, 2));
+  const double excursion = hand(hardware)->finger(1).excursion_mm;
+  EXPECT_NEAR(design.hand.strokes_mm[0], 2 * excursion / 1.5, 1e-9);
+  EXPECT_NEAR(design.hand.strokes_mm[1], 2 * excursion / 1.5, 1e-9);
+}
+
+TEST(HandOfSeveralMotors, OfWhichOneStandsStillIsPulledByNoForceOfIt) {
+  const Hardware hardware = hand_of({simple_finger(8, 90, 60, 5), simple_finger(10, 70, 50, 6)});
+  const DesignOutcome design = outcome("M-1-F+M2-2-F", hardware, parse_grasps("none@1,0", 2, 2));
+  EXPECT_TRUE(std::isfinite(motor_forces(design)[0]));
+  EXPECT_EQ(motor_forces(design)[1], without_end);
+  EXPECT_EQ(design.hand.strokes_mm[1], 0);
+  EXPECT_EQ(design.hand.closure, 0);
 }
 
 TEST(HandObjectives, ThatNobodyAsksForAreLeftOut) {

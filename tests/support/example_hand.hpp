@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/hand_pulls.hpp"
 #include "core/hardware.hpp"
 
 namespace reeve::testing {
@@ -27,6 +28,14 @@ inline Hardware hand_of(const std::vector<FingerParts>& fingers) {
     hardware.fingers.push_back(finger);
   }
   return hardware;
+}
+
+inline HandPulls pulls_in(const Network& network, const Mechanics& mechanics, const Grasp& grasp) {
+  TensionState state;
+  return hand_pulls(network, grasp, [&](const Grasp& alone) {
+    state = tensions(network, mechanics, alone);
+    return SolvedGrasp{state, mechanics};
+  });
 }
 
 }  // namespace reeve::testing
