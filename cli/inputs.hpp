@@ -172,67 +172,6 @@ struct FormatOption {
 // Reads --constraint, each once.
 std::vector<Constraint> read_constraints(const std::vector<std::string>& texts);
 
-// The parts and fingers that are asked for, and what the default of --parts leaves out.
-struct AskedParts {
-  GeneratorOptions generator;
-  std::optional<LeftOutParts> left_out;
-};
-
-struct GeneratorFlags {
-  int fingers = 2;
-  std::string parts = "field";
-  std::string tips;
-  std::string joins;
-  std::string ends;
-  bool anchored = false;
-  int blocks = 0;
-  int motors = 1;
-  std::string beside;
-  bool linked = false;
-  bool series = false;
-  bool bars = false;
-  bool beckets = false;
-  bool double_passes = false;
-  std::string tendons = "any";
-  bool distinct = false;
-
-  void add_to(CLI::App& command, bool with_tendons);
-  // `tells_apart` tells the fingers apart, whatever the options say. Throws InputError, also if
-  // there are too many routings to count.
-  AskedParts read(bool tells_apart = false) const;
-
- private:
-  GeneratorOptions read_parts() const;
-  AskedParts read_whole(bool tells_apart) const;
-
-  CLI::Option* tips_ = nullptr;
-  CLI::Option* joins_ = nullptr;
-  CLI::Option* ends_ = nullptr;
-  CLI::Option* blocks_ = nullptr;
-};
-
-struct RankingFlags {
-  std::string grasps = "single";
-  std::string objectives = "uniformity,efficiency";
-  std::string score = "authors";
-  bool uncertainty = false;
-  std::size_t draws = 1000;
-  std::uint64_t seed = 1;
-  int threads = 0;
-
-  void add_to(CLI::App& command);
-  GraspSet read_grasps(int fingers, int motors = 1, const MotorEnds& ends = {}) const;
-  bool has_grasps() const { return grasps_given_->count() > 0; }
-  Score read_score() const;
-  // The order is by the score alone if it is given and the objectives are not.
-  Order read_order() const;
-
- private:
-  CLI::Option* grasps_given_ = nullptr;
-  CLI::Option* objectives_given_ = nullptr;
-  CLI::Option* score_given_ = nullptr;
-};
-
 // Reads the variables that the hardware file varies, and those that it keeps equal. Throws
 // InputError.
 void read_vary(const VaryTable& table, SizingOptions& options);

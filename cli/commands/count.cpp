@@ -7,6 +7,7 @@
 #include "cli/api.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/flags/generator_flags.hpp"
 #include "cli/inputs.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"

@@ -12,6 +12,7 @@
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/rank_store.hpp"
+#include "cli/flags/ranking_flags.hpp"
 #include "cli/flags/reading_flags.hpp"
 #include "cli/flags/table_flags.hpp"
 #include "cli/flags/tradeoff_flags.hpp"
@@ -23,7 +24,6 @@
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "core/hand.hpp"
-#include "core/motor_sides.hpp"
 #include "core/notation.hpp"
 #include "pages/pages.hpp"
 #include "pages/shell/result_files.hpp"
@@ -129,25 +129,12 @@ void write_page(const RankReport& report, const std::filesystem::path& folder,
                std::move(tables));
 }
 
-// Returns what `of` says of every routing, or `otherwise` where routings differ in it.
-template <typename Of, typename Value>
-Value common(const std::vector<Routing>& routings, Of of, const Value& otherwise) {
-  const Value first = of(routings.front());
-  const bool is_common =
-      std::ranges::all_of(routings, [&](const Routing& routing) { return of(routing) == first; });
-  return is_common ? first : otherwise;
-}
-
 RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
   RankRequest request;
   request.routings = inputs.routings;
   request.model = inputs.file.model;
   request.ranges = inputs.file.uncertainty;
-  const auto carriages_of = [](const Routing& routing) { return carriage_count(routing); };
-  const auto ends_of = [](const Routing& routing) { return motor_ends(expand(routing)); };
-  request.grasps = flags.ranking.read_grasps(finger_count(inputs.routings.front()),
-                                             common(inputs.routings, carriages_of, 1),
-                                             common(inputs.routings, ends_of, MotorEnds{}));
+  request.grasps = flags.ranking.read_grasps(inputs.routings);
   request.order = flags.ranking.read_order();
   request.score = flags.ranking.read_score();
   require_hand_for("--objectives", request.order.objectives, request.model.hardware);

@@ -12,6 +12,7 @@
 #include "cli/api.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/flags/ranking_flags.hpp"
 #include "cli/flags/table_flags.hpp"
 #include "cli/hand_inputs.hpp"
 #include "cli/inputs.hpp"
@@ -212,13 +213,15 @@ void require_score_to_count(const SizeFlags& flags, const Goal& goal) {
                     .expected = "--goal score with it; the goal is another"});
 }
 
-SizingOptions read_options(const SizeFlags& flags, const ModelFile& file, int fingers) {
+SizingOptions read_options(const SizeFlags& flags, const ModelFile& file,
+                           const std::vector<Routing>& routings) {
+  const int fingers = finger_count(routings.front());
   SizingOptions options = flags.search;
   options.nominal = file.model;
   options.ranges = file.uncertainty;
   options.robust = !flags.nominal;
   const bool targeted = flags.target_given->count() > 0;
-  options.grasps = for_name("--", [&] { return parse_grasps(flags.grasps, fingers); });
+  options.grasps = for_name("--", [&] { return grasps_of(flags.grasps, routings); });
   // A target is of all fingers that close; with one held, friction in it turns.
   if (targeted && flags.grasps_given->count() == 0) {
     options.target_grasps = parse_grasps("none", fingers);
@@ -327,7 +330,7 @@ SizeInputs read(const SizeFlags& flags) {
   const ModelFile file = flags.model.read(inputs.catalogue);
   const Hardware& hardware = file.model.hardware;
   require_hardware_to_fit(hardware, inputs.routings);
-  inputs.options = read_options(flags, file, finger_count(inputs.routings.front()));
+  inputs.options = read_options(flags, file, inputs.routings);
   inputs.vary = file.vary;
   require_ranges_to_match(inputs.routings, hardware, inputs.options.varied, inputs.options.equal);
   inputs.columns = read_columns(flags, hardware);

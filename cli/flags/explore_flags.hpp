@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/flags/generator_flags.hpp"
+#include "cli/flags/ranking_flags.hpp"
 #include "cli/flags/table_flags.hpp"
 #include "cli/flags/tradeoff_flags.hpp"
 #include "cli/inputs.hpp"

@@ -45,6 +45,17 @@ TEST(Size, WritesAHardwareFileThatGivesTheSameFigures) {
   EXPECT_TRUE(read_text(file).starts_with("# Sized by reeve "));
 }
 
+TEST(Size, TakesTravelsOfTheMotorsAsRankDoes) {
+  const Sized sized({"M-1-B-2-M2", "--grasps", "none@1,0.5", "--vary", "sheath_angle=3..9",
+                     "--nominal", "--starts", "1", "--format", "json"});
+  ASSERT_EQ(sized.result.exit_code, 0) << sized.result.err;
+  const Json ranked =
+      Json::parse(reeve({"rank", "M-1-B-2-M2", "--grasps", "none@1,0.5", "--format", "json"}).out);
+  const Json design = sized.json()["designs"][0];
+  EXPECT_EQ(ranked["designs"][0]["uniformity"], design["before"]["uniformity"]);
+  EXPECT_EQ(ranked["designs"][0]["efficiency"], design["before"]["efficiency"]);
+}
+
 // Joints can still be given to the fingers: nobody has said how far they close.
 TEST(Size, SavesWhatWasGivenOrSizedAndNothingElse) {
   Sized sized({"TR1", "--vary", "tip_angle=1..4", "--nominal", "--starts", "1", "--save-hardware",

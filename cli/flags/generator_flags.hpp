@@ -1,0 +1,53 @@
+// Options that say which routings to generate.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+#include "search/enumerate/field_parts.hpp"
+#include "search/enumerate/generator.hpp"
+
+namespace reeve::cli {
+
+// The parts and fingers that are asked for, and what the default of --parts leaves out.
+struct AskedParts {
+  GeneratorOptions generator;
+  std::optional<LeftOutParts> left_out;
+};
+
+struct GeneratorFlags {
+  int fingers = 2;
+  std::string parts = "field";
+  std::string tips;
+  std::string joins;
+  std::string ends;
+  bool anchored = false;
+  int blocks = 0;
+  int motors = 1;
+  std::string beside;
+  bool linked = false;
+  bool series = false;
+  bool bars = false;
+  bool beckets = false;
+  bool double_passes = false;
+  std::string tendons = "any";
+  bool distinct = false;
+
+  void add_to(CLI::App& command, bool with_tendons);
+  // `tells_apart` tells the fingers apart, whatever the options say. Throws InputError, also if
+  // there are too many routings to count.
+  AskedParts read(bool tells_apart = false) const;
+
+ private:
+  GeneratorOptions read_parts() const;
+  AskedParts read_whole(bool tells_apart) const;
+
+  CLI::Option* tips_ = nullptr;
+  CLI::Option* joins_ = nullptr;
+  CLI::Option* ends_ = nullptr;
+  CLI::Option* blocks_ = nullptr;
+};
+
+}  // namespace reeve::cli
