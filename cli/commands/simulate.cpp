@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "causes/named_effect.hpp"
+#include "causes/term.hpp"
 #include "cli/api.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
@@ -127,6 +128,23 @@ bool same(const Effect& a, const Effect& b) {
   return effect_name(a) == effect_name(b) && a.subject.recorded == b.subject.recorded;
 }
 
+// A law of a site or a direction that the experiment has not is hidden in nothing. One of size 0 is
+// as the user wants it.
+void require_to_act(const Effect& effect, const Model& model, const ExperimentPlan& plan,
+                    std::uint64_t seed) {
+  if (causes::term_of(*effect.cause) == nullptr || effect.values.front() == 0) return;
+  constexpr AddedNoise none{0, 0, 0};
+  Model without = model;
+  without.effects.pop_back();
+  if (simulate(plan, model, none, seed).tension_N !=
+      simulate(plan, without, none, seed).tension_N) {
+    return;
+  }
+  throw InputError({.where = fmt::format("--cause '{}'", effect_name(effect)),
+                    .what = "it changes no tension of the experiment",
+                    .expected = "a site, grasps and --directions in which it acts"});
+}
+
 Model read_model(const SimulateFlags& flags, const ExperimentPlan& plan,
                  const Catalogue& catalogue) {
   Model model = flags.model.read(catalogue).model;
@@ -146,6 +164,7 @@ Model read_model(const SimulateFlags& flags, const ExperimentPlan& plan,
       }
     }
     add_effect(model, effect);
+    require_to_act(effect, model, plan, flags.seed);
   }
   return model;
 }

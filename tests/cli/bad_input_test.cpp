@@ -50,6 +50,8 @@ TEST(BadCarriages, AreNamedWithTheMotorsThatThereAre) {
       {"show 1x-M+2x-M2 --held none@1,-1", "a finger would have to open"},
       {"rank M-1-M2 M-1-M --grasps none@1,1", "'@1,1': expected no travels of carriages"},
       {"explore --fingers 2 --grasps none@1,1", "'@1,1': expected no travels of carriages"},
+      {"size M-1-B-2-M2 M-1-T-2-M --grasps none@1,0.5 --vary sheath_angle=3..9",
+       "'@1,0.5': expected no travels of carriages"},
       {"simulate --routings M-1-M2",
        "--routings 'M-1-M2': it has 2 motors, and a reading one motor tension: expected a routing "
        "of one motor"},

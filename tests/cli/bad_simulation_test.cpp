@@ -85,6 +85,10 @@ TEST(BadPlan, IsNamedWithOptionAndValue) {
       {{"simulate", "--routings", "TR1", "--column", "F\xFChrung=1:2"},
        "--column 'F?hrung=1:2': expected a name in UTF-8"},
       {"simulate --routings TR1 --model cause.toml", "cause.toml:"},
+      {{"simulate", "--routings", "TR1", "--cause", "law[exponent of tube in release]", "--set",
+        "a=0.3"},
+       "--cause 'law[exponent of tube in release]': it changes no tension of the experiment: "
+       "expected a site, grasps and --directions in which it acts"},
       {"simulate --routings TR1 --cause law[sheath] --set a=1",
        "--cause 'law[sheath]': expected law[ACTS_ON of SITE, COVARIATE, FORM]"},
       {"simulate --routings TR1,TR5,TR7 extra", "extra"},
