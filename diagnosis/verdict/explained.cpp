@@ -28,10 +28,26 @@ double mean_square(const Sample& sample, const Model& model) {
   return count > 0 ? sum / count : 0;
 }
 
-Explained explained_by(double before, double after, double of) {
-  if (!std::isfinite(before) || !std::isfinite(after) || !(of > 0)) return {};
-  const double fall = before - after;
+Explained explained_by(double fall, double of) {
+  if (!std::isfinite(fall) || !(of > 0)) return {};
   return {std::copysign(std::sqrt(std::abs(fall)), fall), fall / of};
+}
+
+struct Step {
+  std::size_t term = 0;
+  double fall = 0;  // of the mean square, N²
+};
+
+// Terms without which the next one explains nothing share with it: a coefficient, and a law that
+// takes it back in one direction.
+void share_alike(std::vector<Step>& steps) {
+  for (auto from = steps.begin(); from != steps.end();) {
+    double sum = from->fall;
+    auto to = from + 1;
+    while (sum < 0 && to != steps.end()) sum += (to++)->fall;
+    const double each = sum / static_cast<double>(to - from);
+    for (; from != to; ++from) from->fall = each;
+  }
 }
 
 // N² that a model of these terms leaves once it is fitted.
@@ -56,6 +72,7 @@ ExplainedResiduals explained_residuals(const Sample& sample, const Problem& prob
   Model model = nominal;
   std::vector<std::size_t> left(terms.size());
   std::iota(left.begin(), left.end(), std::size_t{0});
+  std::vector<Step> steps;
   double now = first;
   while (!left.empty()) {
     std::size_t best = 0;
@@ -71,11 +88,13 @@ ExplainedResiduals explained_residuals(const Sample& sample, const Problem& prob
       best = k;
       chosen = std::move(with);
     }
-    result.terms[left[best]] = explained_by(now, least, first);
+    steps.push_back({left[best], now - least});
     model = std::move(chosen);
     now = least;
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
   }
+  share_alike(steps);
+  for (const Step& step : steps) result.terms[step.term] = explained_by(step.fall, first);
   return result;
 }
 

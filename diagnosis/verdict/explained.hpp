@@ -4,8 +4,9 @@
 // anew each time: always the one next that leaves the least mean square m of the residuals in
 // newton. At their sizes in the extended model, terms that work against each other would each leave
 // more than there was. A term that takes m_{k−1} to m_k explains √(m_{k−1} − m_k) newton, and the
-// share (m_{k−1} − m_k) / m of the nominal model's m. The last leaves what the extended model does:
-// shares add up, and do not depend on the order in which terms were found.
+// share (m_{k−1} − m_k) / m of the nominal model's m. One that raises m, so that others can let it
+// fall, has the mean of theirs and its own. The last leaves what the extended model does: shares
+// add up, and do not depend on the order in which terms were found.
 #pragma once
 
 #include <vector>

@@ -73,6 +73,25 @@ TEST(ExplainedResiduals, OfTermsThatWorkAgainstEachOtherAreNoMoreThanThereIs) {
   EXPECT_NEAR(by.terms[1].share, 1 - along / all, 1e-4);
 }
 
+// Each by itself is drawn to its own strand, and puts 30 N on a third whose noise hides them; both
+// together put none there. Neither explains anything without the other.
+TEST(ExplainedResiduals, OfTermsThatExplainOnlyTogetherAreAlike) {
+  const Bench bench({3, 3}, {5, 6, 1, 0});
+  Problem noisy = bench.problem;
+  for (std::size_t i = 0; i < bench.dataset.cells.size(); ++i) {
+    if (bench.dataset.cells[i].channel == 2) noisy.deviation_N[static_cast<Eigen::Index>(i)] *= 1e4;
+  }
+  const PatternCause one("one", {1, 0, 10});
+  const PatternCause other("other", {0, 1, -10});
+  const std::vector<Effect> terms{of_size(one, 3), of_size(other, 3)};
+  const ExplainedResiduals by =
+      explained_residuals(all_in_training(bench), noisy, Model{}, with(terms), terms);
+  for (const diagnosis::Explained& term : by.terms) {
+    EXPECT_NEAR(term.share, 0.5, 1e-6);
+    EXPECT_NEAR(term.rms_N, 1.5, 1e-6);
+  }
+}
+
 // The effect of a run that stands apart is in all residuals, and draws no term towards it.
 TEST(ExplainedResiduals, BesideARunApartAreThoseOfTheOthers) {
   const Bench bench({8, 6, 3, 0}, [](std::size_t run) {
