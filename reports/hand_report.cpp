@@ -107,9 +107,10 @@ void add_motion_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
                                hand.motor.close_s, demand.speed_mm_s)});
   if (demand.closure < 1) {
     lines.push_back(
-        {fmt::format("{} is then blocked, and the hand not closed: the last finger "
-                     "stands at {} of its range",
-                     hand.motors > 1 ? "A carriage" : "The carriage", percent(demand.closure)),
+        {fmt::format("{}: the last finger stands at {} of its range",
+                     hand.motors > 1 ? "The hand is not closed then"
+                                     : "The carriage is then blocked, and the hand not closed",
+                     percent(demand.closure)),
          true});
   }
   if (!std::isfinite(demand.force_N)) return;
