@@ -257,7 +257,7 @@ class Diagnosis {
 
   void take_over(const AcceptedTerm& accepted, std::vector<NamedWithOthers>& named) {
     if (const std::string run = run_apart(accepted); !run.empty()) {
-      result_.apart.push_back({run, accepted.effect, accepted.evidence});
+      result_.apart.push_back({run, accepted.effect, accepted.evidence, what_differs(accepted)});
       result_.model = without(result_.model, place(result_.model, accepted.effect));
       return;
     }
@@ -437,7 +437,7 @@ class Diagnosis {
   void note_runs_apart() {
     if (result_.apart.empty() || result_.unexplained) return;
     const RunApart& first = result_.apart.front();
-    result_.unexplained = {"run", "run " + first.run + ": " + first.effect.cause->meaning(),
+    result_.unexplained = {"run", "run " + first.run + ": " + first.text,
                            resolved(std::exp(-first.evidence))};
   }
 

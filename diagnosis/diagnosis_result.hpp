@@ -80,6 +80,7 @@ struct RunApart {
   std::string run;
   Effect effect;
   double evidence = 0;
+  std::string text;  // what differs there, or might as well: "gain of T1 in run 3"
 };
 
 // The named causes together, or others in the place of one of them.

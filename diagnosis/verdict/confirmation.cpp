@@ -29,6 +29,16 @@ std::string run_apart(const AcceptedTerm& accepted) {
   return term == nullptr ? "" : term->site.run;
 }
 
+std::string what_differs(const AcceptedTerm& accepted) {
+  std::string text = accepted.effect.cause->meaning();
+  for (const Alternative& other : accepted.alternatives) {
+    for (const Effect& effect : other.model.effects) {
+      if (effect_name(effect) == other.name) text.append(", or ").append(effect.cause->meaning());
+    }
+  }
+  return text;
+}
+
 Model fitted_without(const Problem& seen, Model model, const std::string& name) {
   std::erase_if(model.effects, [&](const Effect& effect) { return effect_name(effect) == name; });
   return fit(seen, model).model;

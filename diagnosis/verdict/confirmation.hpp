@@ -15,6 +15,9 @@ namespace reeve::diagnosis {
 
 // The run that a term is about by itself; empty of what is about more than one.
 std::string run_apart(const AcceptedTerm& accepted);
+// "gain of motor in run 3, or exponent of sheath in run 3": the term, and what might as well be in
+// its place.
+std::string what_differs(const AcceptedTerm& accepted);
 
 // The model without the effects of this name, fitted.
 Model fitted_without(const Problem& seen, Model model, const std::string& name);

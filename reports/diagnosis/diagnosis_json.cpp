@@ -304,7 +304,7 @@ void add_evidence(Json& json, const DiagnosisReport& report) {
   json["folds"] = result.folds;
   json["apart"] = list_json(result.apart, [](const RunApart& apart) {
     return Json{{"run", apart.run},
-                {"text", apart.effect.cause->meaning()},
+                {"text", apart.text},
                 {"size", number(apart.effect.values.front())},
                 {"evidence", number(apart.evidence)}};
   });

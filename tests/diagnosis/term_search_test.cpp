@@ -278,6 +278,21 @@ TEST(TermSearch, NamesARunThatStandsApart) {
   EXPECT_TRUE(result.causes.empty());
 }
 
+// Mountings that scatter by 2 % would have to scatter by 12 % to explain it. The sheath is the
+// first contact behind the motor, so what differs might as well be the gain of either side.
+TEST(TermSearch, NamesAMountingThatStandsApart) {
+  const DiagnosisResult result = diagnosed(readings([](const Row& row, int) {
+    const double more = 0.02 * normal(1, 7, static_cast<std::uint64_t>(row.run));
+    return std::exp(-phi_sheath * (row.run == 7 ? more + 0.4 : more));
+  }));
+  EXPECT_EQ(result.verdict, Verdict::unexplained);
+  EXPECT_TRUE(result.causes.empty());
+  ASSERT_EQ(result.apart.size(), 1U);
+  EXPECT_EQ(result.apart.front().run, "r7");
+  EXPECT_NE(result.apart.front().text.find("exponent of sheath in run r7"), std::string::npos)
+      << result.apart.front().text;
+}
+
 // The place of a reading in the file says no more of it than its run does, and a later file has
 // runs of higher numbers.
 TEST(TermSearch, SaysFromWhichRunOnASensorIsOff) {

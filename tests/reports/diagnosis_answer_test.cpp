@@ -352,7 +352,7 @@ TEST(DiagnosisAnswer, OfARunApartSaysHowFarItIsOff) {
   report.result.cells[1].cell = {1, 0, 0, 9.0};
   report.result.cells[0].after_N = report.result.cells[1].after_N = 5.5;
   const Effect effect{&causes::law(causes::Term{}), {}, {0.1}};
-  report.result.apart = {{"m2", effect, 30}};
+  report.result.apart = {{"m2", effect, 30, effect.cause->meaning()}};
   report.result.unexplained = Unexplained{"run", "run m2: exponent of tube in run m2", 0.001};
   EXPECT_TRUE(says(report, "(residuals of 3.5 N there, 0.5 N in other runs; p = 0.001)"));
 }
