@@ -1,4 +1,4 @@
-// Inputs of several subcommands: routings by word or name, hardware, formats, and the parts.
+// Inputs of several subcommands: routings by word or name, hardware, models and formats.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -15,11 +15,7 @@
 #include "cli/flags/friction_flags.hpp"
 #include "cli/outputs.hpp"
 #include "core/error.hpp"
-#include "search/enumerate/field_parts.hpp"
-#include "search/enumerate/generator.hpp"
 #include "search/evaluate/objectives.hpp"
-#include "search/evaluate/score.hpp"
-#include "search/rank/ranking.hpp"
 #include "sizing/sizing_problem.hpp"
 
 namespace reeve::cli {

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "cli/choice.hpp"
 #include "cli/inputs.hpp"
 
 namespace reeve::cli {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "causes/library.hpp"
+#include "diagnosis/search/calibration.hpp"
 #include "diagnosis/search/law_forms.hpp"
 
 namespace reeve::diagnosis {
