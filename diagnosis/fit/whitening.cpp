@@ -12,22 +12,36 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace {
+
+// Without the things that change nothing here, such as contacts of other routings.
+MatrixXd acting_columns(const MatrixXd& columns) {
+  std::vector<Index> acting;
+  for (Index c = 0; c < columns.cols(); ++c) {
+    if (!columns.col(c).isZero(0)) acting.push_back(c);
+  }
+  return columns(Eigen::all, acting);
+}
+
+}  // namespace
+
 SharedScatter shared_scatter(std::vector<Index> cells, MatrixXd loadings, const MatrixXd& seen) {
   // Smallest S², in units of the readings' own noise variance. An axis that scatters less is left
   // out.
   constexpr double least = 1e-6;
   SharedScatter result{std::move(cells), {}, {}, std::move(loadings)};
+  const MatrixXd acting = acting_columns(seen);
   // Few readings of many things are decomposed by the readings.
-  const bool by_cells = seen.rows() < seen.cols();
-  const SymmetricAxes across = symmetric_axes(by_cells ? MatrixXd(seen * seen.transpose())
-                                                       : MatrixXd(seen.transpose() * seen));
+  const bool by_cells = acting.rows() < acting.cols();
+  const SymmetricAxes across = symmetric_axes(by_cells ? MatrixXd(acting * acting.transpose())
+                                                       : MatrixXd(acting.transpose() * acting));
   const VectorXd& squares = across.values;  // S², ascending
   const Index all = squares.size();
   Index used = 0;
   while (used < all && squares[all - 1 - used] > least) ++used;
   const VectorXd kept = squares.tail(used);
   result.axes = across.vectors.rightCols(used);
-  if (!by_cells) result.axes = seen * result.axes * kept.cwiseSqrt().cwiseInverse().asDiagonal();
+  if (!by_cells) result.axes = acting * result.axes * kept.cwiseSqrt().cwiseInverse().asDiagonal();
   result.shrunk = 1 - (1 + kept.array()).rsqrt();
   return result;
 }
