@@ -27,7 +27,7 @@ def test_the_lines_of_the_introduction_run(root, tmp_path, monkeypatch):
     for block in blocks:
         exec(block, names)  # noqa: S102
     assert (tmp_path / "out/explore/index.html").exists()
-    assert names["whole"].designs.equals(reeve.explore(fingers=3).designs)
+    assert names["whole"].designs.equals(reeve.explore(fingers=2).designs)
     assert names["glove"].fingers[2]["tip_mu"] == 0.09
 
 

@@ -11,17 +11,23 @@ SCRIPT = runpy.run_path(str(ROOT / "scripts/notebooks"))
 NUMBER = re.compile(r"-?\d+\.\d+(?:e[-+]?\d+)?")
 
 
-@pytest.fixture(params=[".", "examples"])
+@pytest.fixture
 def folder(request, monkeypatch):
-    monkeypatch.chdir(ROOT / request.param)
+    """The root, or what `@pytest.mark.parametrize(…, indirect=True)` says."""
+    monkeypatch.chdir(ROOT / getattr(request, "param", "."))
 
 
 def test_there_are_some():
     assert len(SCRIPT["NOTEBOOKS"]) >= 4
 
 
+# One of them from the folder that it is in.
+FROM = [(".", file) for file in SCRIPT["NOTEBOOKS"]] + [("examples", SCRIPT["NOTEBOOKS"][-1])]
+
+
 @pytest.mark.usefixtures("folder")
-@pytest.mark.parametrize("file", SCRIPT["NOTEBOOKS"], ids=lambda file: file.stem)
+@pytest.mark.parametrize(("folder", "file"), FROM, indirect=["folder"],
+                         ids=[f"{folder}-{file.stem}" for folder, file in FROM])
 def test_a_notebook_gives_what_is_stored(file):
     stored = file.read_text(encoding="utf-8")
     given = SCRIPT["executed"](stored)
