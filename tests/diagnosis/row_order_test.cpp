@@ -121,15 +121,13 @@ TEST(InOrderOfContents, MakesRunsHeldOutAndNoiseThatIsDrawnTheSame) {
   const MeasuredData as_written = of(csv);
   const DiagnosisResult first = diagnose(as_written, Hardware{}, options);
   ASSERT_EQ(first.verdict, Verdict::cause);
-  for (const std::uint64_t seed : {1, 2}) {
-    const MeasuredData shuffled = of(dirtied(csv, Dirt::unsorted, seed));
-    EXPECT_EQ(held_out(shuffled), held_out(as_written));
-    const DiagnosisResult result = diagnose(shuffled, Hardware{}, options);
-    EXPECT_EQ(result.verdict, first.verdict);
-    ASSERT_EQ(result.causes.size(), first.causes.size());
-    for (std::size_t c = 0; c < result.causes.size(); ++c) {
-      EXPECT_EQ(result.causes[c].name, first.causes[c].name);
-    }
+  const MeasuredData shuffled = of(dirtied(csv, Dirt::unsorted, 1));
+  EXPECT_EQ(held_out(shuffled), held_out(as_written));
+  const DiagnosisResult result = diagnose(shuffled, Hardware{}, options);
+  EXPECT_EQ(result.verdict, first.verdict);
+  ASSERT_EQ(result.causes.size(), first.causes.size());
+  for (std::size_t c = 0; c < result.causes.size(); ++c) {
+    EXPECT_EQ(result.causes[c].name, first.causes[c].name);
   }
 }
 
