@@ -60,7 +60,7 @@ std::vector<DocumentedCommand> documented_commands(const fs::path& page) {
 // Runs the command by a shell, which reads quotes as the reader's does.
 ProcessResult run_documented(const std::string& command, const fs::path& folder) {
   ProcessOptions options{.directory = folder};
-  return run_process({"/bin/sh", "-c", std::string(REEVE_EXECUTABLE) + " " + command}, options);
+  return run_process({"/bin/sh", "-c", reeve_path() + " " + command}, options);
 }
 
 void expect_documented(const DocumentedCommand& documented, const fs::path& folder) {
@@ -140,7 +140,7 @@ TEST(DocumentedScripts, ExploresShardsAndMergesThem) {
   const TemporaryFolder folder;
   const std::string script =
       block_of_code(fs::path(REEVE_SOURCE_DIR) / "docs" / "scale.md", "for i in 1 2 3 4; do");
-  const std::string program = fs::path(REEVE_EXECUTABLE).parent_path().string();
+  const std::string program = fs::path(reeve_path()).parent_path().string();
   ProcessOptions options{.directory = folder.path()};
   const ProcessResult result = run_process(
       {"/bin/sh", "-c", "PATH=" + program + ":$PATH\nmkdir shards out\n" + script}, options);

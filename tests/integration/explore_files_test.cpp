@@ -97,7 +97,7 @@ TEST(ExplorePage, GivesTheCommandThatGivesItAgain) {
   ProcessOptions options{.directory = first.folder.path()};
   const std::string page = first.file("index.html");
   std::filesystem::remove_all(first.out());
-  const std::string program = REEVE_EXECUTABLE;
+  const std::string program = reeve_path();
   EXPECT_EQ(
       run_process({"/bin/sh", "-c", "reeve() { '" + program + "' \"$@\"; }; " + command}, options)
           .exit_code,

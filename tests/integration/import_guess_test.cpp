@@ -80,7 +80,7 @@ TEST(ImportGuess, ProposesACommandThatImportsAGermanLog) {
   EXPECT_FALSE(has(guess.out, "Problems"));
   const std::string command = last_line(guess.out);
   ASSERT_TRUE(command.starts_with("reeve import 'Messung 1.csv'")) << guess.out;
-  const ProcessResult import = in(folder, REEVE_EXECUTABLE + command.substr(5));
+  const ProcessResult import = in(folder, reeve_path() + command.substr(5));
   ASSERT_EQ(import.exit_code, 0) << command << import.err;
   const ProcessResult same =
       reeve("import english.csv --routing TR7 --held 1 -o same.csv", {.directory = folder.path()});
@@ -127,7 +127,7 @@ TEST(ImportGuess, FindsTheHeaderBelowATitle) {
   EXPECT_TRUE(has(guess.out, "a title above the header is not read: 'Messung vom 14.03.2024'"));
   const std::string command = last_line(guess.out);
   ASSERT_TRUE(has(command, " --routing ROUTING ")) << guess.out;
-  std::string named = REEVE_EXECUTABLE + command.substr(5);
+  std::string named = reeve_path() + command.substr(5);
   named.replace(named.find("ROUTING"), 7, "TR7");
   const ProcessResult import = in(folder, named);
   EXPECT_EQ(import.exit_code, 0) << import.err;

@@ -125,7 +125,7 @@ TEST(HangUp, UnderNohupIsIgnored) {
   ProcessOptions options = disturbed(SIGHUP, after_it_catches(SIGINT, 0ms));
   options.directory = folder.path();
   const ProcessResult result = run_process(
-      {"bash", "-c", "trap '' HUP; exec \"$0\" explore --fingers 5 --out out", REEVE_EXECUTABLE},
+      {"bash", "-c", "trap '' HUP; exec \"$0\" explore --fingers 5 --out out", reeve_path()},
       options);
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_FALSE(Json::parse(read_text(folder.path() / "out/summary.json"))["partial"]);

@@ -14,7 +14,7 @@ class Launched : public ::testing::Test {
  protected:
   Launched() {
     std::filesystem::create_directory(folder_.path() / "bin");
-    std::filesystem::copy_file(REEVE_EXECUTABLE, program());
+    std::filesystem::copy_file(reeve_path(), program());
   }
 
   std::filesystem::path program() const { return folder_.path() / "bin/reeve"; }

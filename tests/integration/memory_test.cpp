@@ -179,7 +179,7 @@ TEST(MemoryLimit, IsSaidToBeReached) {
     const auto limited = [&](const std::string& arguments) {
       return run_process({"bash", "-c",
                           "ulimit -v " + std::to_string(limit_kB) + "; exec \"$0\" " + arguments,
-                          REEVE_EXECUTABLE, out});
+                          reeve_path(), out});
     };
     if (limited("--version").exit_code != 0) continue;  // not enough to load it
     const ProcessResult result = limited("explore --fingers 5 --threads 4 --out \"$1\"");

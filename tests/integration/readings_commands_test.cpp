@@ -58,8 +58,8 @@ TEST(Compare, TakesAModelThatADiagnosisSaved) {
 }
 
 TEST(Compare, ReadsAPipe) {
-  const ProcessResult result = run_process(
-      {"bash", "-c", "cat \"$1\" | \"$0\" compare /dev/stdin", REEVE_EXECUTABLE, readings});
+  const ProcessResult result =
+      run_process({"bash", "-c", "cat \"$1\" | \"$0\" compare /dev/stdin", reeve_path(), readings});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(has(result.out, "6 readings in 3 runs"));
 }

@@ -322,7 +322,7 @@ ProcessResult as_nobody(const Arguments& arguments, const fs::path& directory) {
   ProcessOptions options{.directory = directory};
   Arguments command;
   if (::geteuid() == 0) command = {"setpriv", "--reuid=65534", "--clear-groups"};
-  command.emplace_back(REEVE_EXECUTABLE);
+  command.push_back(reeve_path());
   command.insert(command.end(), arguments.begin(), arguments.end());
   return run_process(command, options);
 }

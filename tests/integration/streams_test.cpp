@@ -79,7 +79,7 @@ TEST(FullStdout, IsAnErrorForHelpAndVersionToo) {
 
 TEST(ClosedPipe, EndsTheProgramQuietly) {
   const ProcessResult result =
-      run_process({"bash", "-c", "\"$0\" check | head -n 1 >/dev/null", REEVE_EXECUTABLE});
+      run_process({"bash", "-c", "\"$0\" check | head -n 1 >/dev/null", reeve_path()});
   EXPECT_EQ(result.err, "");
   EXPECT_EQ(result.exit_code, 0);
 }

@@ -23,7 +23,7 @@ class Mpirun : public Stored {
  protected:
   // In a container who runs it may be root, on fewer cores than processes, and without a network.
   ProcessResult together(int size, Arguments arguments, ProcessOptions options = {}) const {
-    arguments.insert(arguments.begin(), REEVE_EXECUTABLE);
+    arguments.insert(arguments.begin(), reeve_path());
     return run_together(size, arguments, std::move(options));
   }
 
@@ -139,7 +139,7 @@ TEST_F(Mpirun, SaysTheBadOptionOfOneThatFollows) {
   folder_.write("differs",
                 "#!/bin/sh\n[ $OMPI_COMM_WORLD_RANK = 1 ] && set -- \"$@\" --bogus\nexec \"$@\"\n");
   const ProcessResult result =
-      run_together(3, {"sh", "differs", REEVE_EXECUTABLE, "explore", "--fingers", "3"});
+      run_together(3, {"sh", "differs", reeve_path(), "explore", "--fingers", "3"});
   EXPECT_FALSE(result.timed_out);
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("reeve: rank 1 of 3, on "), std::string::npos) << result.err;

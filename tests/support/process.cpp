@@ -173,8 +173,10 @@ Arguments::Arguments(const char* line) {
   for (std::string word; words >> word;) push_back(word == "''" ? "" : word);
 }
 
+std::string reeve_path() { return REEVE_EXECUTABLE; }
+
 ProcessResult reeve(const Arguments& arguments, const ProcessOptions& options) {
-  std::vector<std::string> command{REEVE_EXECUTABLE};
+  std::vector<std::string> command{reeve_path()};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return run_process(command, options);
 }

@@ -52,6 +52,9 @@ struct ProcessResult {
   std::string err;
 };
 
+// The executable reeve of the build that is tested.
+std::string reeve_path();
+
 // Words of a command: a list, or a line that is split at its spaces, where '' is an empty word.
 struct Arguments : std::vector<std::string> {
   using vector::vector;

@@ -8,13 +8,7 @@
 
 namespace reeve::testing {
 
-inline bool has_sanitizer() {
-#if defined(REEVE_SANITIZED) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  return true;
-#else
-  return false;
-#endif
-}
+bool has_sanitizer();
 
 }  // namespace reeve::testing
 
