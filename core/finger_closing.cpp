@@ -24,8 +24,6 @@ struct Hinge {
   }
 };
 
-double stop_deg(const FingerJoint& joint) { return joint.object_deg.value_or(joint.range_deg); }
-
 std::vector<Hinge> hinges_of(const std::vector<FingerJoint>& joints) {
   // The vanishing spring of a joint without any, as a share of the stiffest.
   constexpr double vanishing = 1e-9;
@@ -36,7 +34,7 @@ std::vector<Hinge> hinges_of(const std::vector<FingerJoint>& joints) {
   for (const FingerJoint& joint : joints) {
     const bool has_spring = joint.spring_Nmm_rad > 0;
     hinges.push_back({joint.arm_mm, std::max(joint.spring_Nmm_rad, least),
-                      has_spring ? in_rad(joint.rest_deg) : 0, in_rad(stop_deg(joint))});
+                      has_spring ? in_rad(joint.rest_deg) : 0, in_rad(joint.stop_deg())});
   }
   return hinges;
 }
@@ -150,8 +148,7 @@ class FingerTendon {
     posture.object_Nmm.assign(joints_.size(), 0.0);
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       if (!joints_[j].object_deg || posture.flexion_rad[j] < hinges_[j].stop) continue;
-      const double spring = joints_[j].spring_Nmm_rad * (posture.flexion_rad[j] - hinges_[j].rest);
-      posture.object_Nmm[j] = std::max(0.0, hinges_[j].arm * posture.tension_N[j] - spring);
+      posture.object_Nmm[j] = std::max(0.0, drive_torque(posture, j));
     }
     add_contacts(posture);
     return posture;
@@ -168,6 +165,30 @@ class FingerTendon {
     return lever;
   }
 
+  // What the forces on the phalanges beyond joint j do about it.
+  double contact_torque(const FingerPosture& posture, std::size_t j) const {
+    double torque = 0;
+    for (std::size_t k = j + 1; k < joints_.size(); ++k) {
+      if (posture.contact_N[k] != 0) torque += posture.contact_N[k] * lever(posture, j, k);
+    }
+    return torque;
+  }
+
+  // What the tendon does about joint j beyond what its spring holds.
+  double drive_torque(const FingerPosture& posture, std::size_t j) const {
+    const double spring = joints_[j].spring_Nmm_rad * (posture.flexion_rad[j] - hinges_[j].rest);
+    return hinges_[j].arm * posture.tension_N[j] - spring;
+  }
+
+  // Whether a joint that no object stops bears the forces on the phalanges beyond it: open, or at
+  // the end of its range and driven there in spite of them.
+  bool bears(const FingerPosture& posture, std::size_t j) const {
+    const double torque = contact_torque(posture, j);
+    const double flexion = posture.flexion_rad[j];
+    if (torque == 0 || flexion == 0) return true;
+    return flexion >= hinges_[j].stop && drive_torque(posture, j) >= torque;
+  }
+
   void add_contacts(FingerPosture& posture) const {
     const bool has_lengths =
         std::all_of(joints_.begin(), joints_.end(),
@@ -175,12 +196,13 @@ class FingerTendon {
     if (!has_lengths) return;
     posture.contact_N.assign(joints_.size(), 0.0);
     for (std::size_t j = joints_.size(); j-- > 0;) {
-      if (posture.object_Nmm[j] == 0) continue;
-      double torque = posture.object_Nmm[j];
-      for (std::size_t k = j + 1; k < joints_.size(); ++k) {
-        torque -= posture.contact_N[k] * lever(posture, j, k);
+      if (posture.object_Nmm[j] > 0) {
+        posture.contact_N[j] =
+            (posture.object_Nmm[j] - contact_torque(posture, j)) / lever(posture, j, j);
+      } else if (!bears(posture, j)) {
+        posture.contact_N.clear();
+        return;
       }
-      posture.contact_N[j] = torque / lever(posture, j, j);
     }
   }
 

@@ -24,10 +24,12 @@
 //
 //   M_j = Σ_{k ≥ j, touched} f_k [ l_k / 2 + Σ_{j ≤ i < k} l_i cos(q_{i+1} + … + q_k) ]
 //
-// A negative force says that the object cannot hold this phalanx: it would have to pull.
+// A negative force says that the object cannot hold this phalanx: it would have to pull. There are
+// no forces where a joint nearer to the palm is free, or would be pushed back from the end of its
+// range: an object that rests would bend it back, and only one that goes with the finger is met.
 //
 // Assumptions: quasi-static, planar, constant arms, stiff tendon, one drive of the strands from the
-// palm; an object acts as a stop of its joint, and loads no joint nearer to the palm that is free.
+// palm; an object acts as a stop of its joint, and goes with the phalanges nearer to the palm.
 // Source: capstan law; joint balance and contact forces: L. Birglen, T. Laliberté, C. Gosselin,
 // Underactuated Robotic Hands, Springer, 2008.
 #pragma once
@@ -47,7 +49,7 @@ struct FingerPosture {
   std::vector<double> flexion_rad;  // flexions of the joints
   std::vector<double> tension_N;    // T_j
   std::vector<double> object_Nmm;   // M_j; 0 where no object stops the joint
-  std::vector<double> contact_N;    // f_j; empty unless all phalanges have a length
+  std::vector<double> contact_N;    // f_j; empty without them, or without lengths of all phalanges
 };
 
 // The excursion at which a joint comes to its stop.

@@ -44,7 +44,7 @@ double closed_exponent(const std::vector<FingerJoint>& joints) {
 double held_exponent(const std::vector<FingerJoint>& joints) {
   double sum = 0;
   for (const FingerJoint& joint : joints) {
-    sum += guide_exponent(joint, in_rad(joint.held_deg.value_or(joint.range_deg)));
+    sum += guide_exponent(joint, in_rad(joint.held_flexion_deg()));
   }
   return sum;
 }

@@ -13,7 +13,7 @@ double spring_torque(const FingerJoint& joint, double flexion_deg) {
 }
 
 double holding_torque(const FingerJoint& joint) {
-  return spring_torque(joint, joint.held_deg.value_or(joint.range_deg));
+  return spring_torque(joint, joint.held_flexion_deg());
 }
 
 std::vector<JointDemand> demands_of(const std::vector<FingerJoint>& joints, double force_N) {
@@ -21,7 +21,7 @@ std::vector<JointDemand> demands_of(const std::vector<FingerJoint>& joints, doub
   double held_phi = 0;
   double closed_phi = 0;
   for (const FingerJoint& joint : joints) {
-    held_phi += guide_exponent(joint, in_rad(joint.held_deg.value_or(joint.range_deg)));
+    held_phi += guide_exponent(joint, in_rad(joint.held_flexion_deg()));
     closed_phi += guide_exponent(joint, in_rad(joint.range_deg));
     demands.push_back({(joint.lever_mm * force_N + holding_torque(joint)) / joint.arm_mm,
                        spring_torque(joint, joint.range_deg) / joint.arm_mm,

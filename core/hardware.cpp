@@ -196,8 +196,8 @@ class FaultFinder {
 
   void look_at(const std::string& where, const FingerJoint& joint) {
     for (const JointRow& row : joint_rows) range(where, row.name, joint.*row.value, row.bounds);
-    range(where, "held_deg", joint.held_deg, {0, joint.range_deg, "deg"});
     range(where, "object_deg", joint.object_deg, {0, joint.range_deg, "deg"});
+    range(where, "held_deg", joint.held_deg, {0, joint.stop_deg(), "deg"});
     range(where, "mu", joint.mu, guide_coefficients);
     range(where, "phalanx_mm", joint.phalanx_mm, phalanges);
   }

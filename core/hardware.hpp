@@ -34,13 +34,17 @@ struct FingerJoint {
   double lever_mm = 0;        // fingertip force's lever about the joint, in the posture that holds
   double spring_Nmm_rad = 0;  // return spring: torque for each radian beyond its rest
   double rest_deg = 0;        // flexion at which the spring is slack; below 0: preloaded when open
-  std::optional<double>
-      held_deg{};  // flexion in the posture that holds; the whole range if not given
+  std::optional<double> held_deg{};     // flexion in the posture that holds; see held_flexion_deg
   JointGuide guide = JointGuide::none;  // none: the tendon passes without friction
   std::optional<double> mu{};           // guide's μ; that of [bearing] or [tube] if not given
   double wrap_deg = 0;                  // wrap angle round the guide with the hand open
   std::optional<double> object_deg{};   // flexion at which an object stops the phalanx
   std::optional<double> phalanx_mm{};   // length of the phalanx behind the joint
+
+  // The flexion at which the joint stops in closing: at the object, otherwise the whole range.
+  double stop_deg() const { return object_deg.value_or(range_deg); }
+  // That of the posture that holds; the joint then is at its stop if nobody says otherwise.
+  double held_flexion_deg() const { return held_deg.value_or(stop_deg()); }
 
   friend bool operator==(const FingerJoint&, const FingerJoint&) = default;
 };

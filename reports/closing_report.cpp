@@ -16,13 +16,23 @@ bool has_objects(const ShownClosing& closing) {
   return std::ranges::any_of(closing.motion.stops, &JointStop::at_object);
 }
 
+bool has_forces(const std::vector<FingerPosture>& postures) {
+  return std::ranges::any_of(
+      postures, [](const FingerPosture& posture) { return !posture.contact_N.empty(); });
+}
+
+std::string force_or_torque(const FingerPosture& posture, std::size_t joint, bool forces) {
+  if (!forces) return fixed(posture.object_Nmm[joint], 2);
+  return posture.contact_N.empty() ? "-" : fixed(posture.contact_N[joint], 2);
+}
+
 Table closing_table(const ShownClosing& closing) {
   // Every second step: the figure and the JSON have them all.
   constexpr std::size_t stride = 2;
   const std::vector<FingerPosture>& postures = closing.motion.closing;
   const std::size_t joints = postures.front().flexion_rad.size();
   const bool objects = has_objects(closing);
-  const bool forces = objects && !postures.front().contact_N.empty();
+  const bool forces = objects && has_forces(postures);
   Table table{{number_column("excursion", "mm"), number_column("pull", "N")}, {}};
   for (std::size_t j = 1; j <= joints; ++j) {
     table.columns.push_back(number_column(fmt::format("joint {}", j), "deg"));
@@ -36,7 +46,7 @@ Table closing_table(const ShownClosing& closing) {
     std::vector<std::string> cells{fixed(posture.excursion_mm, 1), fixed(posture.pull_N, 2)};
     for (const double flexion : posture.flexion_rad) cells.push_back(fixed(in_deg(flexion), 1));
     for (std::size_t j = 0; j < joints && objects; ++j) {
-      cells.push_back(fixed(forces ? posture.contact_N[j] : posture.object_Nmm[j], 2));
+      cells.push_back(force_or_torque(posture, j, forces));
     }
     table.add(std::move(cells));
   }
@@ -52,11 +62,16 @@ DocumentLine stop_line(const ShownClosing& closing) {
   return {fmt::format("Joints stop in this order: {}", fmt::join(parts, ", "))};
 }
 
-Json posture_json(const FingerPosture& posture) {
+Json posture_json(const FingerPosture& posture, const std::vector<FingerJoint>& joints) {
+  std::vector<double> torques_Nmm;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    torques_Nmm.push_back(joints[j].arm_mm * posture.tension_N[j]);
+  }
   return {{"excursion_mm", posture.excursion_mm},
           {"pull_N", posture.pull_N},
           {"flexion_deg", list_json(posture.flexion_rad, in_deg)},
           {"tension_N", posture.tension_N},
+          {"torque_Nmm", torques_Nmm},
           {"object_Nmm", posture.object_Nmm},
           {"contact_N", posture.contact_N.empty() ? Json(nullptr) : Json(posture.contact_N)}};
 }
@@ -88,9 +103,10 @@ std::vector<Section> closing_sections(const std::vector<ShownClosing>& closings)
 
 Json closings_json(const std::vector<ShownClosing>& closings) {
   return list_json(closings, [](const ShownClosing& closing) {
+    const auto posture = [&](const FingerPosture& of) { return posture_json(of, closing.joints); };
     return Json{{"fingers", closing.fingers},
-                {"closing", list_json(closing.motion.closing, posture_json)},
-                {"opening", list_json(closing.motion.opening, posture_json)},
+                {"closing", list_json(closing.motion.closing, posture)},
+                {"opening", list_json(closing.motion.opening, posture)},
                 {"stops", list_json(closing.motion.stops, stop_json)}};
   });
 }

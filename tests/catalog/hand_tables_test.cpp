@@ -121,6 +121,8 @@ TEST(HandTables, NameThePlaceOfAMistake) {
        "h.toml:1:2: hardware: hand.joints[1].lever_mm = 0: expected a number from 0.01 to 1000 mm"},
       {in_joint + "lever_mm = 60, held_deg = 91 }]\n",
        "h.toml:1:2: hardware: hand.joints[1].held_deg = 91: expected a number from 0 to 90 deg"},
+      {in_joint + "lever_mm = 60, object_deg = 20, held_deg = 70 }]\n",
+       "h.toml:1:2: hardware: hand.joints[1].held_deg = 70: expected a number from 0 to 20 deg"},
       {in_joint + "lever_mm = 60, spring_Nmm_rad = -1 }]\n",
        "h.toml:1:2: hardware: hand.joints[1].spring_Nmm_rad = -1: expected a number from 0 to "
        "1000000 N mm/rad"},

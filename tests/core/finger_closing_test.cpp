@@ -77,7 +77,7 @@ class EnergyFinger {
         lost += friction_[j];
         const double least =
             in_rad(joint.rest_deg) + joint.arm_mm * (pull_ - lost) / joint.spring_Nmm_rad;
-        const double stop = in_rad(joint.object_deg.value_or(joint.range_deg));
+        const double stop = in_rad(joint.stop_deg());
         flexion_[j] = std::clamp(least, 0.0, stop);
         reached += joint.arm_mm * flexion_[j];
       }
@@ -160,6 +160,76 @@ TEST(FingerClosing, SharesContactForcesAmongTouchedPhalanges) {
   EXPECT_NEAR(posture.contact_N[1], second, 1e-9);
   const double lever = 15 + 40 * std::cos(in_rad(60));
   EXPECT_NEAR(posture.contact_N[0], (posture.object_Nmm[0] - second * lever) / 20, 1e-9);
+}
+
+struct Place {
+  double x = 0;
+  double y = 0;
+};
+
+// Where the joints are and the middles of their phalanges, with the palm along x.
+struct Skeleton {
+  explicit Skeleton(const std::vector<FingerJoint>& joints, const std::vector<double>& flexion) {
+    Place at;
+    double angle = 0;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      angle -= flexion[j];
+      const double length = *joints[j].phalanx_mm;
+      joint.push_back(at);
+      middle.push_back({at.x + length / 2 * std::cos(angle), at.y + length / 2 * std::sin(angle)});
+      outward.push_back({-std::sin(angle), std::cos(angle)});
+      at = {at.x + length * std::cos(angle), at.y + length * std::sin(angle)};
+    }
+  }
+
+  // Of a force of 1 N on phalanx k, square to it, about joint j.
+  double torque(std::size_t j, std::size_t k) const {
+    const Place arm{middle[k].x - joint[j].x, middle[k].y - joint[j].y};
+    return arm.x * outward[k].y - arm.y * outward[k].x;
+  }
+
+  std::vector<Place> joint;
+  std::vector<Place> middle;
+  std::vector<Place> outward;
+};
+
+TEST(FingerClosing, HasContactForcesInEquilibriumOrNone) {
+  int with = 0;
+  int without = 0;
+  int at_end = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    std::vector<FingerJoint> joints = random_finger(seed);
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      joints[j].phalanx_mm = 15 + 30 * uniform(seed, 99, j);
+    }
+    for (const FingerPosture& posture : close_finger(joints, 20).closing) {
+      const bool touched = std::any_of(posture.object_Nmm.begin(), posture.object_Nmm.end(),
+                                       [](double torque) { return torque > 0; });
+      if (!touched) continue;
+      ++(posture.contact_N.empty() ? without : with);
+      if (posture.contact_N.empty()) continue;
+      const Skeleton skeleton(joints, posture.flexion_rad);
+      for (std::size_t j = 0; j < joints.size(); ++j) {
+        const double spring =
+            joints[j].spring_Nmm_rad * (posture.flexion_rad[j] - in_rad(joints[j].rest_deg));
+        double left = joints[j].arm_mm * posture.tension_N[j] - spring;
+        for (std::size_t k = j; k < joints.size(); ++k) {
+          left -= posture.contact_N[k] * skeleton.torque(j, k);
+        }
+        const double flexion = posture.flexion_rad[j];
+        const double tolerance = 1e-9 * (1 + std::abs(spring));
+        if (posture.object_Nmm[j] > 0) {
+          EXPECT_NEAR(left, 0, tolerance) << seed;
+        } else if (flexion >= in_rad(joints[j].stop_deg())) {
+          EXPECT_GE(left, -tolerance) << seed;
+          ++at_end;
+        } else if (flexion > 0) {
+          EXPECT_NEAR(left, 0, tolerance) << seed;
+        }
+      }
+    }
+  }
+  for (const int cases : {with, without, at_end}) EXPECT_GT(cases, 50);
 }
 
 TEST(FingerClosing, OpensTheProximalJointFirst) {

@@ -154,6 +154,20 @@ TEST(GripDemand, AsksOnlyFingersThatAreNotHeldToCloseAgainstTheirSprings) {
   EXPECT_DOUBLE_EQ(motor_force(finger, false, {0.5}), finger.demands[0].close_N / 0.5);
 }
 
+TEST(GripDemand, IsOfThePostureAtTheObjectUnlessAnotherIsGiven) {
+  FingerParts range = simple_finger(8, 90, 60, 5);
+  range.joints[0].spring_Nmm_rad = 12;
+  FingerParts object = range;
+  object.joints[0].object_deg = 30;
+  FingerParts given = range;
+  given.joints[0].held_deg = 30;
+  const auto force = [](const FingerParts& parts) {
+    return motor_force(finger_of(parts), true, {1});
+  };
+  EXPECT_EQ(force(object), force(given));
+  EXPECT_LT(force(object), force(range));
+}
+
 TEST(GripDemand, IsInfiniteWhereABlockedCarriageLeavesAFingerSlack) {
   const Hardware hardware = hand_of({simple_finger(8, 90, 60, 5), simple_finger(10, 70, 50, 6)});
   const GripDemand demand = demand_of("M-1-M+M-2-M", hardware, hold({1}));
