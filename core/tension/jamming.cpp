@@ -85,8 +85,8 @@ void JamFinder::find_tree(const Network& network, const Mechanics& mechanics, st
   if (is_tied(network, network.tendons[tree])) {
     if (!travel_ratios(network, mechanics, tree, ratios_)) {
       const auto moves = [&](Grasp grasp) {
-        return solve_tree_kinematics(network, mechanics, grasp, tree, closing_, block_travel_) ==
-               TreeState::moves;
+        return solve_tree_kinematics(network, mechanics, grasp, tree, closing_, block_travel_)
+            .moves();
       };
       try_all(moves, jams);
       return;
