@@ -91,6 +91,10 @@ void JamFinder::find_tree(const Network& network, const Mechanics& mechanics, st
       try_all(moves, jams);
       return;
     }
+  } else if (taut_share(network, network.tendons[tree], mechanics, Grasp{}) == 0) {
+    jams.tried = true;
+    jams.moving = sets_of(jams.fingers);
+    return;
   } else {
     ratios_ = mechanics.closing;
   }

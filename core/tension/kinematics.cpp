@@ -151,6 +151,11 @@ void stop_everything(Motion& motion) {
 
 }  // namespace
 
+double taut_share(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
+                  const Grasp& grasp) {
+  return mechanics.slack_mm.empty() ? 1 : tally(network, tendon, mechanics, grasp).taut;
+}
+
 double Kinematics::circulation(const TendonSpan& tendon, const Mechanics& mechanics,
                                const Motion& motion) {
   points_.clear();
@@ -189,13 +194,13 @@ void Kinematics::solve_tree(const Network& network, const Mechanics& mechanics, 
   const auto found = [&](const Segment& segment) {
     return motion.closing[static_cast<std::size_t>(segment.finger - 1)];
   };
+  bool has_motor_side = false;
   for (std::size_t t = 0; t < network.tendons.size(); ++t) {
     const TendonSpan& tendon = network.tendons[t];
     if (tendon.tree != tree) continue;
     has_motor_side |= tally(network, tendon, mechanics, grasp).has_motor_side;
     if (moves.moves()) {
       impose_travel(network, mechanics, tendon, grasp, direction, found, motion);
-  bool has_motor_side = false;
     } else {
       motion.jams[t] = 1;
       impose_jam(network, tendon, mechanics, grasp, direction, motion);
@@ -292,11 +297,11 @@ void Kinematics::solve(const Network& network, const Mechanics& mechanics, Grasp
     blocked |= motion.jams[t] != 0;
   }
   if (blocked) stop_everything(motion);
-}
-
-}  // namespace reeve::core
   if (!motion.slack.empty() &&
       std::find(motion.slack.begin(), motion.slack.end(), 0) == motion.slack.end()) {
     motion.fault =
         mechanics.slack_mm.empty() ? TensionFault::nothing_pulls : TensionFault::slack_remains;
   }
+}
+
+}  // namespace reeve::core

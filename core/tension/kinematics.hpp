@@ -57,6 +57,11 @@ inline Slide slide_of(double slip) {
   return slip > 0 ? Slide::to_right : Slide::to_left;
 }
 
+// Returns the share of the tendon's travel behind its slack: 0 if it never gets taut, 1 without
+// slack.
+double taut_share(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
+                  const Grasp& grasp);
+
 class Kinematics {
  public:
   // Keeps the memory of `motion`.
