@@ -1,6 +1,7 @@
 #include "reports/show_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/contact_name.hpp"
 #include "core/motor_sides.hpp"
@@ -75,9 +76,11 @@ const char* direction_name(Direction direction) {
 }
 
 std::string heading(const SolvedRouting& report) {
-  std::string text = report.name.empty() ? report.word : report.name + "  " + report.word;
-  if (report.canonical != report.word) text += "  (canonical " + report.canonical + ")";
-  return text;
+  std::string text = report.is_named() ? report.name + "  " + report.word : report.word;
+  std::vector<std::string> beside;
+  if (report.canonical != report.word) beside.push_back("canonical " + report.canonical);
+  if (!report.is_named() && !report.name.empty()) beside.push_back("routing of " + report.name);
+  return beside.empty() ? text : fmt::format("{}  ({})", text, fmt::join(beside, "; "));
 }
 
 // Friction that depends on the load makes the motor tension matter.
