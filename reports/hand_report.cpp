@@ -211,11 +211,13 @@ Json grasps_json(const ShownHand& hand) {
     return force_json(force, has_force);
   };
   return list_json(hand.grasps, [&](const ShownHandGrasp& grasp) {
-    return Json{{"held", held_fingers(grasp.grasp)},
-                {"motor_force_N", number(grasp.motor_force_N)},
-                {"frictionless_N", number(grasp.frictionless_N)},
-                {"weakest", grasp.weakest},
-                {"fingers", list_json(grasp.fingers, of_finger)}};
+    Json json{{"held", held_fingers(grasp.grasp)},
+              {"motor_force_N", number(grasp.motor_force_N)},
+              {"frictionless_N", number(grasp.frictionless_N)},
+              {"weakest", grasp.weakest},
+              {"fingers", list_json(grasp.fingers, of_finger)}};
+    add_ends(json, grasp.grasp);
+    return json;
   });
 }
 

@@ -87,6 +87,21 @@ TEST(HandSections, SayWhyAFingerHangsOnSlackStrands) {
             since("none", "its tendon is still slack after the whole carriage travel"));
 }
 
+TEST(HandJson, NamesTheLockedEndsAndTravelsOfItsGrasps) {
+  const auto grasp_of = [](const std::string& word, const std::string& held) {
+    const Network network = expand(parse_routing(word));
+    const Grasp grasp =
+        parse_grasp(held, network.fingers, carriage_count(network), motor_ends(network));
+    Json json;
+    reports::add_hand(json,
+                      *studies::shown_hand(network, word, Model{hardware_of(60, 2)}, {{grasp, 1}}));
+    return json["grasps"][0];
+  };
+  EXPECT_EQ(grasp_of("1x-M+2x-M", "a")["locked"].dump(), "[\"a\"]");
+  EXPECT_EQ(grasp_of("1x-M+2x-M2", "none@1,0.5")["carriages"].dump(), "[1.0,0.5]");
+  EXPECT_FALSE(grasp_of("1x-M+2x-M", "none").contains("locked"));
+}
+
 TEST(HandSections, HaveAColumnForEachOfSeveralMotorsAndNoPartsOfTheirWork) {
   const std::string said = said_of("M-1-F+M2-2-F", 60, 2);
   EXPECT_TRUE(testing::has(said, "finger 2  M (N)  M2 (N)  limiting finger"));
