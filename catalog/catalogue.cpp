@@ -8,6 +8,7 @@
 #include "catalog/mechanisms/mechanism_file.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace reeve::catalog {
 namespace {
@@ -153,7 +154,7 @@ std::string name_of(const Catalogue& catalogue, const Routing& routing) {
 
 const CatalogueEntry* Catalogue::find_name(std::string_view name) const {
   const auto found = std::find_if(entries.begin(), entries.end(), [&](const CatalogueEntry& entry) {
-    return same_name(entry.name, name);
+    return same_name(entry.name, trimmed(name));
   });
   return found == entries.end() ? nullptr : &*found;
 }
@@ -166,9 +167,9 @@ const CatalogueEntry* Catalogue::find_word(const Routing& routing) const {
 }
 
 const Mechanism* Catalogue::find_mechanism(std::string_view name) const {
-  const auto found =
-      std::find_if(mechanisms.begin(), mechanisms.end(),
-                   [&](const Mechanism& mechanism) { return same_name(mechanism.name, name); });
+  const auto found = std::find_if(
+      mechanisms.begin(), mechanisms.end(),
+      [&](const Mechanism& mechanism) { return same_name(mechanism.name, trimmed(name)); });
   return found == mechanisms.end() ? nullptr : &*found;
 }
 

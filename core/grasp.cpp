@@ -34,6 +34,7 @@ bool read(const std::string& text, Number& number) {
 }
 
 constexpr double most_travel = 100;
+const std::string none_held = "none";
 
 struct ReadGrasp {
   Grasp grasp;
@@ -44,6 +45,14 @@ std::string expected_fingers(int fingers) {
   if (fingers == 0) return "none: there is no finger";
   if (fingers == 1) return "none or 1";
   return fmt::format("none, or finger numbers from 1 to {} such as 1,2", fingers);
+}
+
+// "'none': expected it alone, or 'b' without it" of "none,b".
+InputFault beside_none(std::vector<std::string> items) {
+  std::erase(items, none_held);
+  const std::string rest = fmt::format("{}", fmt::join(items, ","));
+  return {.value = none_held,
+          .expected = "it alone" + (rest.empty() ? "" : ", or '" + rest + "' without it")};
 }
 
 std::optional<InputFault> lock(const std::string& item, int motor_side, const MotorEnds& ends,
@@ -69,10 +78,12 @@ std::optional<InputFault> lock(const std::string& item, int motor_side, const Mo
 
 ReadGrasp read_grasp(const std::string& text, int fingers, const MotorEnds& ends) {
   Grasp grasp;
-  if (text == "none") return {grasp, std::nullopt};
+  if (text == none_held) return {grasp, std::nullopt};
   std::uint64_t named = 0;
-  for (const std::string& item : split(text, ',')) {
+  const std::vector<std::string> items = split(text, ',');
+  for (const std::string& item : items) {
     int finger = 0;
+    if (item == none_held) return {grasp, beside_none(items)};
     const auto segment = segment_named(item);
     if (segment && segment->kind == SegmentKind::motor_side && segment->number <= most_lockable) {
       if (auto fault = lock(item, segment->number, ends, named, grasp)) return {grasp, fault};
@@ -151,7 +162,7 @@ WeightedGrasp parse_weighted(const std::string& item, const std::string& text, i
 // "al": of letters alone, and neither "none" nor an end at a motor.
 bool is_misspelt_set(const std::string& text, const MotorEnds& ends) {
   const bool is_word =
-      text.size() > 1 && text != "none" &&
+      text.size() > 1 && text != none_held &&
       std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalpha(c) != 0; });
   if (!is_word) return false;
   const auto segment = segment_named(text);
@@ -212,7 +223,7 @@ std::string locked_words(const Grasp& grasp) {
 std::string to_text(const Grasp& grasp) {
   std::string text = fmt::format("{}", fmt::join(held_fingers(grasp), ","));
   for (const std::string& end : locked_ends(grasp)) text += (text.empty() ? "" : ",") + end;
-  if (text.empty()) text = "none";
+  if (text.empty()) text = none_held;
   if (grasp.carriages.given == 0) return text;
   return text + fmt::format("@{}", fmt::join(carriage_travels(grasp), ","));
 }
@@ -256,7 +267,7 @@ GraspSet parse_grasps(const std::string& text, int fingers, int motors, const Mo
     throw InputError({.what = "grasps",
                       .value = text,
                       .expected = "single, all, paper, or held fingers such as none/1/1,2" +
-                                  did_you_mean(text, {"single", "all", "paper", "none"})});
+                                  did_you_mean(text, {"single", "all", "paper", none_held})});
   }
   GraspSet grasps;
   for (const std::string& item : split(text, '/')) {

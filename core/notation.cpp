@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/ledgers.hpp"
+#include "core/text.hpp"
 #include "core/word.hpp"
 
 namespace reeve::core {
@@ -358,7 +359,7 @@ void print_token(std::string& word, const Token& token) {
 
 }  // namespace
 
-Routing parse_routing(std::string_view word) { return WordParser(word).parse(); }
+Routing parse_routing(std::string_view word) { return WordParser(trimmed(word)).parse(); }
 
 std::string to_word(const Routing& routing) {
   std::string word;

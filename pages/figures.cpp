@@ -44,7 +44,7 @@ std::string computed() {
 }
 
 std::string captioned_routing(const SolvedRouting& report) {
-  return report.name.empty() ? report.word : fmt::format("{} ({})", report.name, report.word);
+  return report.is_named() ? fmt::format("{} ({})", report.name, report.word) : report.word;
 }
 
 // Describes the own values of one finger; its joints are no friction.

@@ -101,7 +101,7 @@ Json decision(const RankReport& report) {
   std::vector<DocumentLine> lines = answer_lines(report.designs, report.tradeoff);
   lines.erase(lines.begin());
   append(lines, motor);
-  append(lines, shared_carriage_lines(one_of_each(report.designs)));
+  append(lines, shared_carriage_lines(one_of_each(report.designs), report.model.hardware.tendon));
   return sentences_of(lines);
 }
 

@@ -52,7 +52,10 @@ std::string summary(const ShownRouting& report) {
 Json jams(const ShownRouting& report) {
   Json list = Json::array();
   for (const ShownGrasp& shown : report.grasps) {
-    if (shown.state.jams) list.push_back(grasp_words(shown.grasp));
+    if (!shown.state.jams) continue;
+    const std::string stalled = stalled_motors(report.network, shown.state);
+    list.push_back(fmt::format("With {} {}", grasp_words(shown.grasp),
+                               stalled.empty() ? "the routing jams" : stalled));
   }
   return list;
 }
@@ -83,28 +86,29 @@ PageFiles routing_page(const ShownRouting& report, const std::string& command) {
   PageFiles page;
   std::string first;
   std::string others;
-  const std::string stem = file_stems({{report.name, report.word}}).front();
+  const std::string name = report.is_named() ? report.name : "";
+  const std::string stem = file_stems({{name, report.word}}).front();
   for (const ShownGrasp& shown : report.grasps) {
     const std::string file = schematic_name(stem, shown.grasp);
     (first.empty() ? first : others) +=
         schematic_html("schematic-" + grasp_id(shown.grasp), report, shown, file);
     page.figures.push_back(schematic_file(file, report, shown));
   }
-  Json values{
-      {"name", report.name},
-      {"word", report.word},
-      {"canonical", report.canonical == report.word ? "" : report.canonical},
-      {"verb", verb(report.direction)},
-      {"summary", summary(report)},
-      {"shared", shared_carriage_text(report.network)},
-      {"jams", jams(report)},
-      {"jam_sentence", jam_sentence(report.smallest_jams, report.values, report.network.fingers)},
-      {"assumed", assumed_text(report.model)},
-      {"objectives", html(routing_objectives(report))},
-      {"first", first},
-      {"others", others},
-      {"tensions", html(tension_table(report))},
-      {"contacts", html(contact_table(report))}};
+  Json values{{"name", name},
+              {"routing_of", name.empty() ? report.name : ""},
+              {"word", report.word},
+              {"canonical", report.canonical == report.word ? "" : report.canonical},
+              {"verb", verb(report.direction)},
+              {"summary", summary(report)},
+              {"shared", shared_carriage_text(report.network, report.model.hardware.tendon)},
+              {"jams", jams(report)},
+              {"jam_sentence", jam_sentence(report.smallest_jams, report.values, report.network)},
+              {"assumed", assumed_text(report.model)},
+              {"objectives", html(routing_objectives(report))},
+              {"first", first},
+              {"others", others},
+              {"tensions", html(tension_table(report))},
+              {"contacts", html(contact_table(report))}};
   values["glossary"] = glossary_html("Strand, held, jam, slides: what they mean", routing_terms());
   values["hand"] = hand_values(report, page.figures);
   values["has_strands"] = report.network.fingers > 0;
@@ -115,7 +119,7 @@ PageFiles routing_page(const ShownRouting& report, const std::string& command) {
     page.figures.push_back(captioned(tensions, report.model));
   }
   values["settings"] = settings_html(report.model, report.unconverged, grasps(report), command);
-  const std::string title = report.name.empty() ? report.word : report.name + " " + report.word;
+  const std::string title = name.empty() ? report.word : name + " " + report.word;
   page.html = page_html({title, render("routing.mustache", values), "", Json::object()});
   return page;
 }

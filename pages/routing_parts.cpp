@@ -10,14 +10,15 @@
 #include "pages/shell/template.hpp"
 #include "reports/exploration/tradeoff_report.hpp"
 #include "reports/hand_report.hpp"
+#include "reports/jam_words.hpp"
 #include "reports/output/json.hpp"
 
 namespace reeve::pages {
 namespace {
 
 // Heading of the grasp.
-std::string heading(const ShownGrasp& shown) {
-  return grasp_words(shown.grasp) + (shown.state.jams ? " (jams)" : "");
+std::string heading(const Network& network, const ShownGrasp& shown) {
+  return grasp_words(shown.grasp) + jam_mark(network, shown.state);
 }
 
 }  // namespace
@@ -56,7 +57,7 @@ HtmlTable share_table(const SolvedRouting& report) {
     table.columns.push_back(number_column(segment_name(segment)));
   }
   for (const ShownGrasp& shown : report.grasps) {
-    std::vector<std::string> cells{heading(shown)};
+    std::vector<std::string> cells{heading(report.network, shown)};
     for (const auto& [segment, tension] : strands(report.network, shown.state)) {
       cells.push_back(fixed(100 * tension / shown.performance.force_transmission, 1));
     }

@@ -73,14 +73,27 @@ Table finger_table(const ShownHand& hand) {
   return table;
 }
 
+const char* no_pull_words(NoPull no_pull, int motors) {
+  switch (no_pull) {
+    case NoPull::blocked:
+      break;
+    case NoPull::ends_locked:
+      return "its ends at motors are locked";
+    case NoPull::ends_stand_still:
+      return motors > 1 ? "its carriages stand still" : "the carriage stands still";
+    case NoPull::still_slack:
+      return "its tendon is still slack after the whole carriage travel";
+  }
+  return motors > 1 ? "its carriages are blocked" : "the carriage is blocked";
+}
+
 void add_force_lines(const MotorDemand& demand, int motors, std::vector<DocumentLine>& lines) {
   if (!std::isfinite(demand.force_N)) {
-    lines.push_back({fmt::format("No motor force is enough: with held {} finger {} hangs on slack "
-                                 "strands, since {}",
-                                 to_text(demand.grasp), demand.weakest,
-                                 motors > 1 ? "its carriages are blocked or stand still"
-                                            : "the carriage is blocked"),
-                     true});
+    lines.push_back(
+        {fmt::format("No motor force is enough: with held {} finger {} hangs on slack "
+                     "strands, since {}",
+                     to_text(demand.grasp), demand.weakest, no_pull_words(demand.no_pull, motors)),
+         true});
     return;
   }
   if (demand.force_N == 0) {
@@ -198,11 +211,13 @@ Json grasps_json(const ShownHand& hand) {
     return force_json(force, has_force);
   };
   return list_json(hand.grasps, [&](const ShownHandGrasp& grasp) {
-    return Json{{"held", held_fingers(grasp.grasp)},
-                {"motor_force_N", number(grasp.motor_force_N)},
-                {"frictionless_N", number(grasp.frictionless_N)},
-                {"weakest", grasp.weakest},
-                {"fingers", list_json(grasp.fingers, of_finger)}};
+    Json json{{"held", held_fingers(grasp.grasp)},
+              {"motor_force_N", number(grasp.motor_force_N)},
+              {"frictionless_N", number(grasp.frictionless_N)},
+              {"weakest", grasp.weakest},
+              {"fingers", list_json(grasp.fingers, of_finger)}};
+    add_ends(json, grasp.grasp);
+    return json;
   });
 }
 

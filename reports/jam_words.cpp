@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <set>
 
+#include "core/hand_pulls.hpp"
 #include "core/motor_sides.hpp"
 #include "core/notation.hpp"
 #include "reports/data_text.hpp"
@@ -18,8 +19,79 @@ namespace {
 constexpr std::size_t named_jams = 4;
 
 // Follows "their shares of its pull".
-constexpr const char* assumption =
-    "assume equal stiffness and no slack; a slack or softer tendon carries less";
+const char* assumption(const TendonParts& tendons) {
+  const bool springs = std::ranges::any_of(
+      tendons.own, [](const TendonHardware& own) { return own.stiffness_N_mm.has_value(); });
+  const bool slack = std::ranges::any_of(
+      tendons.own, [](const TendonHardware& own) { return own.slack_mm.has_value(); });
+  if (springs && slack) return "follow from the springs and the slack given";
+  if (springs) {
+    return "follow from the springs given, and assume no slack; a slack tendon carries less";
+  }
+  if (slack) {
+    return "follow from the slack given, and assume equal stiffness; a softer tendon carries less";
+  }
+  return "assume equal stiffness and no slack; a slack or softer tendon carries less";
+}
+
+// "M", "M and M3"
+std::string motor_names(const std::vector<int>& carriages) {
+  std::string text;
+  for (std::size_t i = 0; i < carriages.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == carriages.size() ? " and " : ", ";
+    text += motor_name(carriages[i]);
+  }
+  return text;
+}
+
+std::string stall_words(const std::vector<int>& carriages) {
+  return motor_names(carriages) + (carriages.size() == 1 ? " stalls" : " stall");
+}
+
+std::vector<int> carriages_of(const MotorGroup& group) {
+  std::vector<int> carriages;
+  for (std::size_t motor = 0; motor < max_carriages; ++motor) {
+    if (group.has_motor(motor)) carriages.push_back(static_cast<int>(motor) + 1);
+  }
+  return carriages;
+}
+
+// " (M2 stalls)": a smallest jam is that of one tree, and so of one group. Of one group "".
+std::string stalled_in(const Grasp& smallest, const MotorGroups& groups) {
+  if (groups.count < 2) return "";
+  for (const MotorGroup& group : groups) {
+    if ((smallest.held & ~group.fingers) == 0) {
+      return " (" + stall_words(carriages_of(group)) + ")";
+    }
+  }
+  return "";
+}
+
+// Returns the grasp in which the motors of a group stall and the others go on.
+Grasp stalled(const MotorGroup& group, int motors) {
+  Grasp grasp{.held = group.fingers};
+  grasp.carriages.given = static_cast<std::uint8_t>(motors);
+  for (const int carriage : carriages_of(group)) {
+    grasp.carriages.over_D[static_cast<std::size_t>(carriage) - 1] = 0;
+  }
+  return grasp;
+}
+
+// Carriages that travel alike stop with the first that is blocked.
+std::string independence_words(const MotorGroups& groups) {
+  if (groups.count < 2) return "";
+  std::vector<int> all;
+  for (const MotorGroup& group : groups) append(all, carriages_of(group));
+  std::sort(all.begin(), all.end());
+  const auto* const first =
+      std::ranges::find_if(groups, [](const MotorGroup& group) { return group.has_motor(0); });
+  return fmt::format(
+      ". {} have nothing in common: if one of them stalls, these tables stop all carriages, but "
+      "the others can go on, such as with held {}",
+      all.size() == groups.count ? motor_names(all)
+                                 : fmt::format("{} groups of motors", groups.count),
+      to_text(stalled(*first, static_cast<int>(all.size()))));
+}
 
 std::string listed_ranks(const std::vector<std::size_t>& ranks) {
   std::string text = "Ranks ";
@@ -42,20 +114,42 @@ std::string held_words(Grasp grasp) {
 }
 
 std::string jam_sentence(const std::vector<Grasp>& smallest, const ObjectiveValues& values,
-                         int fingers) {
+                         const Network& network) {
+  const int fingers = network.fingers;
   if (fingers == 0) return "It has no finger that an object could hold";
   const double jams = value(values, Objective::jams_all);
   if (!std::isfinite(jams)) return "It has too many fingers to try in which grasps it jams";
   if (smallest.empty()) return "It never jams unless all fingers are held";
   if (smallest.front() == Grasp{}) return "It jams in every grasp";
   std::string text;
-  const std::size_t named = std::min(named_jams, smallest.size());
+  // One more is no longer to name than to count.
+  const std::size_t named =
+      smallest.size() == named_jams + 1 ? smallest.size() : std::min(named_jams, smallest.size());
+  const MotorGroups groups = motor_groups(network);
   for (std::size_t i = 0; i < named; ++i) {
-    text += (i == 0 ? "" : ", or ") + held_words(smallest[i]);
+    text += (i == 0 ? "" : ", or ") + held_words(smallest[i]) + stalled_in(smallest[i], groups);
   }
   if (smallest.size() > named) text += fmt::format(", or in {} more ways", smallest.size() - named);
-  return fmt::format("It jams when {} ({:.0f} of {:.0f} grasps)", text, jams,
-                     std::ldexp(1.0, fingers) - 1);
+  return fmt::format("It jams when {} ({:.0f} of {:.0f} grasps{})", text, jams,
+                     std::ldexp(1.0, fingers) - 1,
+                     groups.count > 1 ? ", if all carriages travel alike" : "");
+}
+
+std::string stalled_motors(const Network& network, const TensionState& state) {
+  if (motor_groups(network).count < 2) return "";
+  std::vector<int> stalled;
+  for (int carriage = 1; carriage <= carriage_count(network); ++carriage) {
+    if (state.motor_tension[static_cast<std::size_t>(carriage) - 1] > 0) {
+      stalled.push_back(carriage);
+    }
+  }
+  return stall_words(stalled);
+}
+
+std::string jam_mark(const Network& network, const TensionState& state) {
+  if (!state.jams) return "";
+  const std::string stalled = stalled_motors(network, state);
+  return " (" + (stalled.empty() ? "jams" : stalled) + ")";
 }
 
 std::string jams_field(const std::vector<Grasp>& smallest) {
@@ -77,7 +171,7 @@ int tree_count(const Network& network) {
   return static_cast<int>(trees.size());
 }
 
-std::string shared_carriage_text(const Network& network) {
+std::string shared_carriage_text(const Network& network, const TendonParts& tendons) {
   const int trees = tree_count(network);
   if (trees < 2) return "";
   const bool tied = static_cast<std::size_t>(trees) < network.tendons.size();
@@ -85,14 +179,16 @@ std::string shared_carriage_text(const Network& network) {
   if (motors > 1) {
     return fmt::format(
         "{} {} hang on {} carriages, which travel alike unless a grasp says "
-        "otherwise (1@1,0.5): their shares of the pull {}",
-        trees, tied ? "trees of tendons" : "tendons", motors, assumption);
+        "otherwise (1@1,0.5): their shares of the pull {}{}",
+        trees, tied ? "trees of tendons" : "tendons", motors, assumption(tendons),
+        independence_words(motor_groups(network)));
   }
   return fmt::format("{} {} hang on one carriage: their shares of its pull {}", trees,
-                     tied ? "trees of tendons" : "tendons", assumption);
+                     tied ? "trees of tendons" : "tendons", assumption(tendons));
 }
 
-std::vector<DocumentLine> shared_carriage_lines(const std::vector<ListedDesign>& shown) {
+std::vector<DocumentLine> shared_carriage_lines(const std::vector<ListedDesign>& shown,
+                                                const TendonParts& tendons) {
   std::vector<std::size_t> ranks;
   bool several_motors = false;
   for (const ListedDesign& design : shown) {
@@ -109,7 +205,7 @@ std::vector<DocumentLine> shared_carriage_lines(const std::vector<ListedDesign>&
       {fmt::format("{} several tendons on {}: their shares of its pull {}", whose,
                    several_motors ? "one carriage, or on carriages that travel as the grasps say"
                                   : "one carriage",
-                   assumption)}};
+                   assumption(tendons))}};
 }
 
 }  // namespace reeve::reports

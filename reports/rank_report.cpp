@@ -138,7 +138,7 @@ Document rank_document(const RankReport& report, const ListColumns& wanted) {
   Document document{
       {{"", std::nullopt, lines},
        {"", design_table(shown, shown_objectives(report.order, report.score), columns),
-        list_notes(shown)}}};
+        list_notes(shown, report.model.hardware.tendon)}}};
   const std::vector<DocumentLine> motor = motor_lines(report.motor, report.model.hardware.motor);
   if (report.designs.size() == 1) document.add({"", std::nullopt, motor});
   if (report.designs.size() > 1) {

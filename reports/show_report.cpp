@@ -1,6 +1,7 @@
 #include "reports/show_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/contact_name.hpp"
 #include "core/motor_sides.hpp"
@@ -75,9 +76,11 @@ const char* direction_name(Direction direction) {
 }
 
 std::string heading(const SolvedRouting& report) {
-  std::string text = report.name.empty() ? report.word : report.name + "  " + report.word;
-  if (report.canonical != report.word) text += "  (canonical " + report.canonical + ")";
-  return text;
+  std::string text = report.is_named() ? report.name + "  " + report.word : report.word;
+  std::vector<std::string> beside;
+  if (report.canonical != report.word) beside.push_back("canonical " + report.canonical);
+  if (!report.is_named() && !report.name.empty()) beside.push_back("routing of " + report.name);
+  return beside.empty() ? text : fmt::format("{}  ({})", text, fmt::join(beside, "; "));
 }
 
 // Friction that depends on the load makes the motor tension matter.
@@ -86,11 +89,13 @@ std::string unit_text(const ShownRouting& report) {
   return fmt::format("over the motor tension of {:.6g} N", report.model.conditions.motor_tension_N);
 }
 
-std::string held_text(const ShownGrasp& shown) {
-  return to_text(shown.grasp) + (shown.state.jams ? " (jams)" : "");
+std::string held_text(const Network& network, const ShownGrasp& shown) {
+  return to_text(shown.grasp) + jam_mark(network, shown.state);
 }
 
-std::string held_heading(const ShownGrasp& shown) { return "held " + to_text(shown.grasp); }
+std::string held_heading(const Network& /*network*/, const ShownGrasp& shown) {
+  return "held " + to_text(shown.grasp);
+}
 
 Table share_table(const SolvedRouting& report) {
   const std::vector<Segment>& segments = report.network.segments;
@@ -100,7 +105,7 @@ Table share_table(const SolvedRouting& report) {
     table.columns.push_back(number_column(segment_name(segment), "%"));
   }
   for (const ShownGrasp& shown : report.grasps) {
-    std::vector<std::string> cells{held_text(shown)};
+    std::vector<std::string> cells{held_text(report.network, shown)};
     for (std::size_t i = 0; i < segments.size(); ++i) {
       if (segments[i].kind != SegmentKind::strand) continue;
       cells.push_back(
@@ -183,9 +188,9 @@ std::vector<ShownContact> shown_contacts(const SolvedRouting& report) {
 }
 
 std::vector<std::string> grasp_names(const SolvedRouting& report,
-                                     std::string (*name_of)(const ShownGrasp&)) {
+                                     std::string (*name_of)(const Network&, const ShownGrasp&)) {
   std::vector<std::string> names;
-  for (const ShownGrasp& shown : report.grasps) names.push_back(name_of(shown));
+  for (const ShownGrasp& shown : report.grasps) names.push_back(name_of(report.network, shown));
   return names;
 }
 
@@ -246,10 +251,11 @@ Document show_document(const ShownRouting& report) {
   if (const std::string key = letter_key(report.network, report.model.hardware); !key.empty()) {
     lines.push_back({"Motor-side segments, in walk order: " + key});
   }
-  if (const std::string shared = shared_carriage_text(report.network); !shared.empty()) {
+  if (const std::string shared = shared_carriage_text(report.network, report.model.hardware.tendon);
+      !shared.empty()) {
     lines.push_back({shared});
   }
-  lines.push_back({jam_sentence(report.smallest_jams, report.values, report.network.fingers)});
+  lines.push_back({jam_sentence(report.smallest_jams, report.values, report.network)});
   lines.push_back({assumed_text(report.model)});
   append(lines, model_lines(report.model, report.unconverged));
   append(lines, note_lines(model_notes(report.model, {report.network})));

@@ -20,7 +20,7 @@ std::vector<ShownContact> shown_contacts(const SolvedRouting& report);
 
 // The name of each grasp that it was solved in.
 std::vector<std::string> grasp_names(const SolvedRouting& report,
-                                     std::string (*name_of)(const ShownGrasp&));
+                                     std::string (*name_of)(const Network&, const ShownGrasp&));
 
 // Words in which the tension table of a text differs from that of a page.
 struct ShownWords {

@@ -7,6 +7,7 @@
 
 #include "causes/model_solver.hpp"
 #include "core/motor_sides.hpp"
+#include "core/tension/tree_kinematics.hpp"
 #include "search/evaluate/objectives.hpp"
 
 namespace reeve::studies {
@@ -56,6 +57,33 @@ void add_greatest_force(const Hand& hand, const std::vector<ShownHandGrasp>& gra
   // The force is rounded as the objective motor_force, so that both are the same number.
   demand.force_N = on_grid(demand.force_N);
   demand.joint = asking_joint(hand.finger(demand.weakest), pull);
+}
+
+bool passes(const Network& network, const TendonSpan& tendon, int finger) {
+  const auto first = network.segments.begin() + static_cast<std::ptrdiff_t>(tendon.first_segment);
+  return std::any_of(first, first + static_cast<std::ptrdiff_t>(tendon.segments),
+                     [&](const Segment& segment) {
+                       return segment.kind == SegmentKind::strand && segment.finger == finger;
+                     });
+}
+
+NoPull no_pull(const Network& network, const Mechanics& mechanics, const Grasp& grasp, int finger) {
+  const auto own = std::ranges::find_if(
+      network.tendons, [&](const TendonSpan& tendon) { return passes(network, tendon, finger); });
+  bool all_locked = true;
+  bool all_still = true;
+  for (const TendonSpan& tendon : network.tendons) {
+    if (tendon.tree != own->tree) continue;
+    for (std::size_t i = 0; i < tendon.segments; ++i) {
+      const std::size_t at = tendon.first_segment + i;
+      if (network.segments[at].kind != SegmentKind::motor_side) continue;
+      all_locked &= grasp.locks(network.segments[at].number);
+      all_still &= end_travel(network, mechanics, grasp, at) == 0;
+    }
+  }
+  if (all_locked) return NoPull::ends_locked;
+  if (all_still) return NoPull::ends_stand_still;
+  return taut_share(network, *own, mechanics, grasp) == 0 ? NoPull::still_slack : NoPull::blocked;
 }
 
 void add_motion(const MotorParts& motor, MotorDemand& demand) {
@@ -120,6 +148,7 @@ class HandStudy {
     }
     add_reach(grasps, shown);
     add_greatest_force(hand_, shown.grasps, shown.demand);
+    shown.demand.no_pull = no_pull(network_, plain_, shown.demand.grasp, shown.demand.weakest);
     add_forces(shown);
     add_closing(grasps, shown);
     shown.closings = shown_closings(hand_, network_.fingers);

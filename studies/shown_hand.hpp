@@ -16,6 +16,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -94,6 +95,9 @@ struct ShownHandFinger {
   double closed = 0;  // share of its range at the end of the stroke
 };
 
+// Why no motor pulls the strands of a finger.
+enum class NoPull : std::uint8_t { blocked, ends_locked, ends_stand_still, still_slack };
+
 struct MotorDemand {
   double force_N = 0;
   double frictionless_N = 0;
@@ -102,6 +106,7 @@ struct MotorDemand {
   int weakest = 0;          // the finger that asks for it,
   std::size_t joint = 0;    // its joint that does, from 0,
   Grasp grasp{};            // and the grasp in which it does
+  NoPull no_pull{};         // if it has no pull in that grasp, and force_N is infinite
   double stroke_mm = 0;
   double closure = 0;
   double speed_mm_s = 0;

@@ -29,7 +29,8 @@ struct ShownGrasp {
 struct SolvedRouting {
   std::string word;
   std::string canonical;
-  std::string name;  // "" if it has none
+  std::string name;      // "" if it has none
+  bool by_word = false;  // true if its user wrote the word, which is its title then
   Direction direction = Direction::pull;
   Model model;
   bool own_hardware = false;      // the model's is from the catalogue's mechanism
@@ -37,8 +38,9 @@ struct SolvedRouting {
   Network network;
   std::vector<ShownGrasp> grasps;
 
+  bool is_named() const { return !by_word && !name.empty(); }
   // "TR3: F-1-P-2-F", or the word alone.
-  std::string title() const { return name.empty() ? word : name + ": " + word; }
+  std::string title() const { return is_named() ? name + ": " + word : word; }
 };
 
 // A routing with its tensions and objectives.

@@ -63,7 +63,8 @@ Routing asked_routing(const ShowFlags& flags, const Catalogue& catalogue) {
 ShownRouting report(const ShowFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
   const Routing routing = asked_routing(flags, catalogue);
-  const Mechanism* mechanism = catalogue.find_mechanism(flags.like ? *flags.like : *flags.routing);
+  const std::string& asked_for = flags.like ? *flags.like : *flags.routing;
+  const Mechanism* mechanism = catalogue.find_mechanism(asked_for);
   const bool own = mechanism != nullptr && mechanism->hardware && !flags.model.is_given();
   ModelFile file;
   if (own) {
@@ -84,6 +85,7 @@ ShownRouting report(const ShowFlags& flags) {
       shown_routing(routing, model, asked, direction, catalogue, flags.prices.read());
   if (shown.hand) shown.hand->drawn = motor_force(routing, {model, file.uncertainty, asked, {}});
   shown.own_hardware = own;
+  shown.by_word = catalogue.find_routing(asked_for) == nullptr;
   // Another mechanism may have the same word.
   if (mechanism != nullptr) shown.name = mechanism->routing == routing ? mechanism->name : "";
   return shown;

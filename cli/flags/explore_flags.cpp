@@ -82,14 +82,34 @@ Checkpoint StoreFlags::checkpoint(ExplorationStore& store) const {
   return checkpoint_in(store, std::chrono::seconds(seconds_));
 }
 
+namespace {
+
+std::uint64_t routings_of(const GeneratorOptions& options) {
+  return RoutingGenerator(options).total();
+}
+
+// Each motor pulls something, and few fingers have few ends and joins for them.
+InputError too_many_motors(const GeneratorOptions& options) {
+  GeneratorOptions fewer = options;
+  while (fewer.parts.motors > 1 && routings_of(fewer) == 0) --fewer.parts.motors;
+  return InputError({.what = "--motors",
+                     .value = std::to_string(options.parts.motors),
+                     .expected = fmt::format(
+                         "at most {}: with these parts {} finger{} cannot use more",
+                         fewer.parts.motors, options.fingers, options.fingers == 1 ? "" : "s")});
+}
+
+}  // namespace
+
 ExploreOptions ExploreFlags::read(const Model& with, const Catalogue& catalogue) const {
   ExploreOptions options;
   const AskedParts asked = generator.read(target_given->count() > 0);
   options.generator = asked.generator;
   options.left_out = asked.left_out;
   // Says early, before anything is written, if there are too many to count.
-  for_option(fmt::format("--fingers {}", generator.fingers),
-             [&] { return RoutingGenerator(options.generator).total(); });
+  const std::uint64_t routings = for_option(fmt::format("--fingers {}", generator.fingers),
+                                            [&] { return routings_of(options.generator); });
+  if (routings == 0) throw too_many_motors(options.generator);
   require_fingers(with.hardware, options.generator.fingers);
   require_none_idle(with.hardware, impossible_values(with.hardware, options.generator),
                     "one of the routings that are explored");

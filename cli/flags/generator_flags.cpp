@@ -13,11 +13,12 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
   command.add_option("--fingers", fingers, "Number of fingers")
       ->check(CLI::Range(1, max_fingers))
       ->capture_default_str();
-  command
-      .add_option("--parts", parts,
-                  "Set of parts; all: full, --anchored and --blocks 1; field: all with more blocks")
-      ->check(one_of({"paper", "full", "all", "field"}))
-      ->capture_default_str();
+  parts_ = command
+               .add_option("--parts", parts,
+                           "Set of parts; all: full, --anchored and --blocks 1; field: all with "
+                           "more blocks")
+               ->check(one_of({"paper", "full", "all", "field"}))
+               ->capture_default_str();
   tips_ =
       command.add_option("--tips", tips, "Kinds of fingertips in place of the set's: tube,bearing");
   joins_ = command.add_option("--joins", joins, "Kinds of joins in place of the set's: T,B,P");
@@ -80,11 +81,12 @@ GeneratorOptions GeneratorFlags::read_parts() const {
 
 namespace {
 
-// Without these blocks a routing has none of what such a switch asks for.
-void require_blocks(const PartSet& parts) {
+// Without these blocks a routing has none of what such a switch asks for. `from` says what their
+// number comes from.
+void require_blocks(const PartSet& parts, const std::string& from) {
   const auto require = [&](const char* name, bool is_asked, int least) {
     if (!is_asked || parts.blocks >= least) return;
-    throw InputError({.what = fmt::format("{} with --blocks {}", name, parts.blocks),
+    throw InputError({.what = fmt::format("{} with {}", name, from),
                       .expected = fmt::format("--blocks {} at least", least)});
   };
   require("--linked", parts.linked, 2);
@@ -98,7 +100,14 @@ void require_blocks(const PartSet& parts) {
 
 AskedParts GeneratorFlags::read(bool tells_apart) const {
   AskedParts asked = read_whole(tells_apart);
-  require_blocks(asked.generator.parts);
+  const int greatest = asked.generator.parts.blocks;
+  require_blocks(
+      asked.generator.parts,
+      blocks_->count() > 0
+          ? fmt::format("--blocks {}", greatest)
+          : fmt::format("--parts {}{}, which has {} floating block{}", parts,
+                        parts_->count() > 0 ? "" : " (the default)",
+                        greatest == 0 ? "no" : std::to_string(greatest), greatest == 1 ? "" : "s"));
   return asked;
 }
 

@@ -44,6 +44,7 @@ struct GeneratorFlags {
   GeneratorOptions read_parts() const;
   AskedParts read_whole(bool tells_apart) const;
 
+  CLI::Option* parts_ = nullptr;
   CLI::Option* tips_ = nullptr;
   CLI::Option* joins_ = nullptr;
   CLI::Option* ends_ = nullptr;

@@ -85,12 +85,16 @@ void JamFinder::find_tree(const Network& network, const Mechanics& mechanics, st
   if (is_tied(network, network.tendons[tree])) {
     if (!travel_ratios(network, mechanics, tree, ratios_)) {
       const auto moves = [&](Grasp grasp) {
-        return solve_tree_kinematics(network, mechanics, grasp, tree, closing_, block_travel_) ==
-               TreeState::moves;
+        return solve_tree_kinematics(network, mechanics, grasp, tree, closing_, block_travel_)
+            .moves();
       };
       try_all(moves, jams);
       return;
     }
+  } else if (taut_share(network, network.tendons[tree], mechanics, Grasp{}) == 0) {
+    jams.tried = true;
+    jams.moving = sets_of(jams.fingers);
+    return;
   } else {
     ratios_ = mechanics.closing;
   }

@@ -8,7 +8,8 @@
 //
 // A tree whose block motions its tendons settle closes its fingers by dl = 1 / Σ_f r_f over its
 // closing fingers (tree_kinematics.hpp). If no r_f is negative, it jams where every finger with r_f
-// > 0 is held. A tendon alone is such a tree. For any other tree each set is tried.
+// > 0 is held. A tendon alone is such a tree. For any other tree each set is tried. A tendon that
+// is still slack after the whole travel jams in none.
 //
 // Friction has no part in it, and no tension is solved.
 #pragma once
@@ -41,7 +42,7 @@ class JamFinder {
   // The jams are those of one tree, or of a split network as a whole.
   struct TreeJams {
     std::uint64_t fingers = 0;
-    bool tried = false;
+    bool tried = false;  // each set of its fingers, or none of them can jam
     bool too_many = false;
     std::uint64_t needed = 0;                 // not tried: it jams where all of these are held
     double moving = 0;                        // sets of its fingers with which it moves

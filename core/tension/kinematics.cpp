@@ -151,6 +151,11 @@ void stop_everything(Motion& motion) {
 
 }  // namespace
 
+double taut_share(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
+                  const Grasp& grasp) {
+  return mechanics.slack_mm.empty() ? 1 : tally(network, tendon, mechanics, grasp).taut;
+}
+
 double Kinematics::circulation(const TendonSpan& tendon, const Mechanics& mechanics,
                                const Motion& motion) {
   points_.clear();
@@ -189,10 +194,12 @@ void Kinematics::solve_tree(const Network& network, const Mechanics& mechanics, 
   const auto found = [&](const Segment& segment) {
     return motion.closing[static_cast<std::size_t>(segment.finger - 1)];
   };
+  bool has_motor_side = false;
   for (std::size_t t = 0; t < network.tendons.size(); ++t) {
     const TendonSpan& tendon = network.tendons[t];
     if (tendon.tree != tree) continue;
-    if (moves == TreeState::moves) {
+    has_motor_side |= tally(network, tendon, mechanics, grasp).has_motor_side;
+    if (moves.moves()) {
       impose_travel(network, mechanics, tendon, grasp, direction, found, motion);
     } else {
       motion.jams[t] = 1;
@@ -200,12 +207,15 @@ void Kinematics::solve_tree(const Network& network, const Mechanics& mechanics, 
     }
     settle_slip(network, tendon, mechanics, direction, motion);
   }
-  if (moves == TreeState::undetermined) motion.undetermined = true;
+  if (moves.fault != TensionFault::none) motion.fault = moves.fault;
+  if (!has_motor_side) motion.fault = TensionFault::no_motor;
 }
 
 void Kinematics::solve_split(const Network& network, const Mechanics& mechanics, Grasp grasp,
                              Direction direction, Motion& motion) {
-  motion.undetermined = !ends_move_alike(network, mechanics, grasp);
+  if (!ends_move_alike(network, mechanics, grasp)) {
+    motion.fault = TensionFault::ends_unlike_at_seizure;
+  }
   SplitClosing split = split_closing(network, mechanics, grasp);
   motion.block_travel = split.block_travel;
   const auto found = [&](const Segment& segment) {
@@ -242,7 +252,8 @@ void Kinematics::solve_tendon(const Network& network, const Mechanics& mechanics
     leave_slack(tendon, motion);
     return;
   }
-  if (sums.motor_sides < 0) motion.undetermined = true;
+  if (sums.motor_sides < 0) motion.fault = TensionFault::finger_opens;
+  if (!sums.has_motor_side) motion.fault = TensionFault::no_motor;
   const bool needs_no_finger = sums.has_motor_side && sums.motor_sides == 0;
   if (sums.closing_weight == 0 && !needs_no_finger) {
     motion.jams[t] = 1;
@@ -268,7 +279,7 @@ void Kinematics::solve(const Network& network, const Mechanics& mechanics, Grasp
   motion.slip.resize(network.contacts.size());
   motion.closing.assign(static_cast<std::size_t>(network.fingers), 0.0);
   motion.block_travel.assign(network.blocks.size(), 0.0);
-  motion.undetermined = false;
+  motion.fault = TensionFault::none;
   motion.slack.clear();
   if (network.split) {
     solve_split(network, mechanics, grasp, direction, motion);
@@ -286,6 +297,11 @@ void Kinematics::solve(const Network& network, const Mechanics& mechanics, Grasp
     blocked |= motion.jams[t] != 0;
   }
   if (blocked) stop_everything(motion);
+  if (!motion.slack.empty() &&
+      std::find(motion.slack.begin(), motion.slack.end(), 0) == motion.slack.end()) {
+    motion.fault =
+        mechanics.slack_mm.empty() ? TensionFault::nothing_pulls : TensionFault::slack_remains;
+  }
 }
 
 }  // namespace reeve::core

@@ -16,7 +16,7 @@
 // units of epsilon. Where carriages pull and no finger of a tendon can move, it jams: nothing slips
 // at order one, and the whole travel is take-up; in release, where a jammed carriage can only give
 // way, what stays stretched is the hand side. A tendon whose carriages all stand still carries
-// nothing; one that is let out in all would open its fingers, and is undetermined.
+// nothing; one that is let out in all would open its fingers, which is a fault.
 //
 // A tendon with slack s, whose motor sides take in m D, carries nothing up to D = s / m. From there
 // on it moves like the others, and its take-up is the share 1 − s / (m D) of what it would be.
@@ -32,6 +32,7 @@
 #include "core/grasp.hpp"
 #include "core/mechanics.hpp"
 #include "core/network.hpp"
+#include "core/tension/tension_fault.hpp"
 
 namespace reeve::core {
 
@@ -40,8 +41,8 @@ enum class Slide : std::int8_t { to_left = -1, no = 0, to_right = 1 };
 // Arrays parallel to the network's tendons, segments, contacts and fingers.
 struct Motion {
   std::vector<char> jams;
-  std::vector<char> slack;    // one per tendon; empty if none is
-  bool undetermined = false;  // TreeState::undetermined of a tree, or a finger that would open
+  std::vector<char> slack;                  // one per tendon; empty if none is
+  TensionFault fault = TensionFault::none;  // that of one tendon or tree, or of all of them
   std::vector<double> imposed;
   std::vector<double> take_up;
   std::vector<double> slip;          // at D = 1; exactly 0 where the contact does not slide
@@ -55,6 +56,11 @@ inline Slide slide_of(double slip) {
   if (slip == 0) return Slide::no;
   return slip > 0 ? Slide::to_right : Slide::to_left;
 }
+
+// Returns the share of the tendon's travel behind its slack: 0 if it never gets taut, 1 without
+// slack.
+double taut_share(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
+                  const Grasp& grasp);
 
 class Kinematics {
  public:

@@ -35,6 +35,7 @@ void scale_to_unit_motor_tension(const Network& network, const Mechanics& mechan
   }
   for (double& t : state.tension) t /= motor;
   for (double& t : state.motor_tension) t /= motor;
+  if (motor == 0 && state.in_range) state.fault = TensionFault::nothing_pulls;
   state.in_range &= std::isnormal(motor);
 }
 
@@ -139,7 +140,8 @@ void TensionSolver::solve_in_motion(const Network& network, const Mechanics& mec
                                     TensionState& state) {
   state.tension.resize(network.segments.size());
   state.jams = std::find(motion_.jams.begin(), motion_.jams.end(), 1) != motion_.jams.end();
-  state.in_range = mechanics.in_range && !motion_.undetermined;
+  state.fault = motion_.fault;
+  state.in_range = mechanics.in_range && state.fault == TensionFault::none;
   solve_tendons(network, mechanics, state);
   state.slip.swap(motion_.slip);
   state.closing.swap(motion_.closing);
@@ -185,11 +187,8 @@ std::vector<double> motor_tensions(const Network& network, const TensionState& s
 
 const TensionState& require_in_range(const TensionState& state, Grasp grasp) {
   if (state.in_range) return state;
-  throw OutOfRange(
-      "held " + to_text(grasp) +
-      ": the motor tension cannot be computed: a tendon hangs on no motor, blocks are free to move "
-      "against each other, a finger would have to open, all tendons are slack, ends at motors travel "
-      "unlike each other beside a seized contact, or friction is so strong that tensions fall out of range");
+  throw OutOfRange("held " + to_text(grasp) +
+                   ": the motor tension cannot be computed: " + words_of(state.fault));
 }
 
 TensionState tensions(const Network& network, const Mechanics& mechanics, Grasp grasp,

@@ -30,18 +30,16 @@
 #include "core/network.hpp"
 #include "core/tension/elastic_chain.hpp"
 #include "core/tension/kinematics.hpp"
+#include "core/tension/tension_fault.hpp"
 #include "core/tension/tree_tension.hpp"
 
 namespace reeve::core {
 
 // Arrays parallel to the network's segments, contacts and fingers.
 struct TensionState {
-  bool jams = false;  // no finger of some tendon can move: the carriage is blocked
-  // Otherwise a tendon hangs on no motor (is_actuated), blocks are free to move against each other,
-  // a finger would have to open, all tendons are slack, ends at motors travel unlike each other
-  // beside a seized contact, or friction is so strong that tensions leave the range of a double;
-  // they are no numbers then.
-  bool in_range = true;
+  bool jams = false;     // no finger of some tendon can move: the carriage is blocked
+  bool in_range = true;  // otherwise the tensions are no numbers
+  TensionFault fault = TensionFault::none;            // and this says why
   std::vector<double> tension;                        // N per N of motor tension; T_M is 1
   std::array<double, max_carriages> motor_tension{};  // likewise, of each motor's carriage
   double motor_work = 1;                              // Σ T_M D over the motors, per T_M D

@@ -83,8 +83,13 @@ struct CommonClosing {
   }
 };
 
+constexpr TreeState moves{};
+constexpr TreeState jams{.jams = true};
+
+TreeState undetermined(TensionFault fault) { return {.fault = fault}; }
+
 struct TreeMotion {
-  TreeState state = TreeState::jams;
+  TreeState state = jams;
   std::vector<double> blocks;    // travels, by column
   std::vector<double> closings;  // closings of fingers 1 … n
 };
@@ -124,7 +129,7 @@ TreeMotion nearly_common_closing(const Network& network, const Mechanics& mechan
   const double miss = (tendons * x - right.tail(n)).cwiseAbs().maxCoeff();
   if (!(miss < length_tolerance)) return {};
   const bool unique = column_rank(tendons.leftCols(m)) == m;
-  return {unique ? TreeState::moves : TreeState::undetermined,
+  return {unique ? moves : undetermined(TensionFault::blocks_free),
           {x.data(), x.data() + m},
           {x.data() + m, x.data() + common}};
 }
@@ -146,11 +151,11 @@ TreeState write_closings(const Network& network, Grasp grasp, std::size_t tree,
       const Segment& segment = network.segments[tendon.first_segment + i];
       if (!closes(segment, grasp)) continue;
       const double dl = closing_of(segment.finger);
-      if (dl < -length_tolerance) return TreeState::undetermined;
+      if (dl < -length_tolerance) return undetermined(TensionFault::finger_opens);
       closing[static_cast<std::size_t>(segment.finger) - 1] = std::max(dl, 0.0);
     }
   }
-  return TreeState::moves;
+  return moves;
 }
 
 template <int Most>
@@ -159,10 +164,10 @@ TreeState solve_with(const Network& network, const Mechanics& mechanics, Grasp g
                      std::vector<double>& block_travel) {
   const CommonClosing<Most> common(network, mechanics, grasp, tree, columns);
   if (!common.closes && !common.lets_out) {
-    return common.drives ? TreeState::jams : TreeState::moves;
+    return common.drives ? jams : moves;
   }
   if (common.exact) {
-    if (!common.unique) return TreeState::undetermined;
+    if (!common.unique) return undetermined(TensionFault::blocks_free);
     write_blocks(columns, common.blocks.data(), block_travel);
     const auto shared = [&](int finger) {
       return common.closing * closing_weight(mechanics, finger);
@@ -170,8 +175,8 @@ TreeState solve_with(const Network& network, const Mechanics& mechanics, Grasp g
     return write_closings(network, grasp, tree, shared, closing);
   }
   const TreeMotion nearly = nearly_common_closing(network, mechanics, grasp, tree, columns);
-  if (nearly.state == TreeState::jams && common.lets_out) return TreeState::undetermined;
-  if (nearly.state != TreeState::moves) return nearly.state;
+  if (nearly.state.jams && common.lets_out) return undetermined(TensionFault::jams_while_let_out);
+  if (!nearly.state.moves()) return nearly.state;
   write_blocks(columns, nearly.blocks.data(), block_travel);
   const auto found = [&](int finger) {
     return nearly.closings[static_cast<std::size_t>(finger) - 1];

@@ -22,15 +22,15 @@
 #include "core/grasp.hpp"
 #include "core/mechanics.hpp"
 #include "core/network.hpp"
+#include "core/tension/tension_fault.hpp"
 
 namespace reeve::core {
 
-enum class TreeState {
-  moves,
-  jams,
-  // The equations leave the blocks free to move against each other, ask a finger to open, or jam
-  // while a carriage lets out: tendons that it leaves slack are then not found.
-  undetermined,
+struct TreeState {
+  bool jams = false;
+  TensionFault fault = TensionFault::none;  // blocks_free, finger_opens or jams_while_let_out
+
+  bool moves() const { return !jams && fault == TensionFault::none; }
 };
 
 // The weight behind a bar over that before it.

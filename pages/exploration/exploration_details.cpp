@@ -84,7 +84,8 @@ Json design_json(const SolvedRouting& report, bool whole, Lines& lines) {
     json["segments"].push_back(segment_name(report.network.segments[i]));
     if (report.network.segments[i].kind == SegmentKind::strand) json["strands"].push_back(i);
   }
-  if (std::string shared = shared_carriage_text(report.network); !shared.empty()) {
+  if (std::string shared = shared_carriage_text(report.network, report.model.hardware.tendon);
+      !shared.empty()) {
     json["shared"] = std::move(shared);
   }
   json["grasps"] = Json::array();

@@ -209,7 +209,7 @@ std::vector<std::string> changes(const ExploreReport& report) {
   }
   text.push_back(draws_text(report, listed));
   constexpr std::size_t best = 10;
-  append(text, sentences_of(shared_carriage_lines(one_of_each(listed, best))));
+  append(text, sentences_of(shared_carriage_lines(one_of_each(listed, best), {})));
   return text;
 }
 

@@ -99,7 +99,7 @@ std::string first_text(const ListedDesign& first, const ListedTradeoff& tradeoff
 // Says in which grasps the first design jams, and how good the best design is that never does.
 std::string jams_text(const ListedDesign& first, const ListedTradeoff& tradeoff) {
   std::string text =
-      jam_sentence(first.smallest_jams, first.ranked.design.values, finger_count(first.routing));
+      jam_sentence(first.smallest_jams, first.ranked.design.values, expand(first.routing));
   if (first.smallest_jams.empty()) return text;
   if (!tradeoff.never_jams) return text + "; every listed design jams in some grasp";
   return fmt::format("{}; best design that never jams: {}: {}", text,

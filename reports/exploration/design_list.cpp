@@ -264,9 +264,10 @@ std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs, 
   return firsts;
 }
 
-std::vector<DocumentLine> list_notes(const std::vector<ListedDesign>& shown) {
+std::vector<DocumentLine> list_notes(const std::vector<ListedDesign>& shown,
+                                     const TendonParts& tendons) {
   std::vector<DocumentLine> lines = equivalent_lines(shown);
-  append(lines, shared_carriage_lines(shown));
+  append(lines, shared_carriage_lines(shown, tendons));
   return lines;
 }
 

@@ -43,7 +43,9 @@ std::vector<ListedDesign> one_of_each(const std::vector<ListedDesign>& designs,
                                       std::size_t most = static_cast<std::size_t>(-1));
 
 // Below such a table: which designs stand for others, and which rest on how their tendons share.
-std::vector<DocumentLine> list_notes(const std::vector<ListedDesign>& shown);
+// The springs and slack are those of tendons by their numbers.
+std::vector<DocumentLine> list_notes(const std::vector<ListedDesign>& shown,
+                                     const TendonParts& tendons = {});
 
 // ",uniformity_mean,…" and ",0.5,…": the objectives that there are with such values.
 std::string objective_headings(const ObjectiveValues& values);

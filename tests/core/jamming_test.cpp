@@ -21,8 +21,8 @@ struct Jams {
   friend bool operator==(const Jams&, const Jams&) = default;
 };
 
-Jams jams_of(const Network& network) {
-  const Mechanics numbers = mechanics(network, Hardware{});
+Jams jams_of(const Network& network, const Hardware& hardware = {}) {
+  const Mechanics numbers = mechanics(network, hardware);
   JamFinder finder;
   Jams jams{finder.grasps(network, numbers), {}};
   for (const Grasp& grasp : finder.smallest(network, numbers)) {
@@ -52,6 +52,17 @@ TEST(Jamming, FingersOfABlockShareItsMotionSoThatOneHeldIsNoJam) {
 TEST(Jamming, ATendonWithoutAFingerJamsInEveryGrasp) {
   EXPECT_EQ(jams_of("M-F+M-1-T-2-F"), (Jams{3, {{}}}));
   EXPECT_EQ(jams_of("M-F"), (Jams{0, {}}));
+}
+
+TEST(Jamming, ATendonThatItsSlackLeavesWithoutTensionStopsNothing) {
+  Hardware hardware;
+  hardware.tendon.travel_mm = 50;
+  const auto jams_with_slack = [&](double slack_mm) {
+    hardware.tendon.own = {{.tendon = 1, .slack_mm = slack_mm}};
+    return jams_of(expand(parse_routing("1x-M+2x-M")), hardware);
+  };
+  EXPECT_EQ(jams_with_slack(49), (Jams{2, {{1}, {2}}}));
+  EXPECT_EQ(jams_with_slack(50), (Jams{1, {{2}}}));
 }
 
 TEST(Jamming, ASeizedTipTiesEachSideToItsOwnFingers) {

@@ -231,6 +231,12 @@ TEST(NotationError, FingerPassedTwice) {
   expect_fault("1-P-2-T-1-T-1", 9, twice);
 }
 
+TEST(Notation, TakesBlanksAroundAWord) {
+  EXPECT_EQ(parse_routing("  M-1-F\t"), parse_routing("M-1-F"));
+  EXPECT_EQ(message("  M -1-F "), message("M -1-F"));
+  EXPECT_EQ(message("  "), message(""));
+}
+
 TEST(NotationError, FingerNumberOutOfRange) {
   const std::string range = "expected a finger number from 1 to 64";
   expect_fault("M-0-F", 3, "'0': " + range);

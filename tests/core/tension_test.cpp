@@ -457,13 +457,15 @@ TEST(SeveralMotors, ASecondCarriageThatStandsStillIsAFixedEndBehindItsSheath) {
 }
 
 TEST(SeveralMotors, ThatWouldOpenAFingerAreRefused) {
-  for (const std::string word : {"M-1-M2", "1x-M+2x-M2", "M-Y1+1x-Y1-2x+Y1-M2"}) {
-    EXPECT_EQ(testing::out_of_range([&] {
-                solved_network(word, Hardware{}, carriages({-1, 0.5}));
-              }).substr(0, 58),
-              "held none@-1,0.5: the motor tension cannot be computed: a ")
-        << word;
+  const auto said = [](const std::string& word) {
+    return testing::out_of_range([&] { solved_network(word, Hardware{}, carriages({-1, 0.5})); });
+  };
+  const std::string since = "held none@-1,0.5: the motor tension cannot be computed: ";
+  for (const std::string word : {"M-1-M2", "1x-M+2x-M2"}) {
+    EXPECT_EQ(said(word), since + "a finger would have to open") << word;
   }
+  EXPECT_EQ(said("M-Y1+1x-Y1-2x+Y1-M2"),
+            since + "tendons that blocks join jam while a carriage lets out");
 }
 
 TEST(TensionSolver, ReportsSlipAndClosing) {
@@ -486,17 +488,33 @@ TEST(TensionSolver, ForgetsTheNetworkBefore) {
   }
 }
 
-const std::string no_motor_tension =
-    "held none: the motor tension cannot be computed: a tendon hangs on no motor, blocks are free to "
-    "move against each other, a finger would have to open, all tendons are slack, ends at motors "
-    "travel unlike each other beside a seized contact, or friction is so strong that tensions fall "
-    "out of range";
+std::string refusal(const std::string& word, const Hardware& hardware = {}, Grasp grasp = {}) {
+  return testing::out_of_range([&] { solved_network(word, hardware, grasp); });
+}
+
+std::string cannot_since(const std::string& reason) {
+  return "held none: the motor tension cannot be computed: " + reason;
+}
 
 TEST(TensionSolver, NeedsAMotor) {
-  EXPECT_EQ(testing::out_of_range([] { solved_network("F-1-F", Hardware{}, Grasp{}); }),
-            no_motor_tension);
-  EXPECT_EQ(testing::out_of_range([] { solved_network("1-T-1", Hardware{}, Grasp{}); }),
-            no_motor_tension);
+  for (const std::string word : {"F-1-F", "1-T-1", "F-1-F+M-2-F", "F-Y1+1x-Y1-2x"}) {
+    EXPECT_EQ(refusal(word), cannot_since("a tendon hangs on no motor")) << word;
+  }
+}
+
+TEST(TensionSolver, SaysThatNoTendonIsTaut) {
+  Hardware hardware;
+  hardware.tendon = {.travel_mm = 50, .own = {{.tendon = 1, .slack_mm = 50}}};
+  EXPECT_EQ(refusal("1x-M", hardware),
+            cannot_since("every tendon is still slack after the whole carriage travel"));
+  EXPECT_NO_THROW(solved_network("1x-M+2x-M", hardware, Grasp{}));
+  const Grasp still{.carriages = {2, {0, 1}}, .locked = 2};
+  EXPECT_EQ(refusal("1x-M+2x-M2", {}, still),
+            "held b@0,1: the motor tension cannot be computed: no end at a motor moves");
+}
+
+TEST(TensionSolver, SaysThatABarWouldOpenAFinger) {
+  EXPECT_EQ(refusal("1x-W1-2x+W1-3x+W1-M"), cannot_since("a finger would have to open"));
 }
 
 // Others may well have tensions.
@@ -531,8 +549,8 @@ TEST(TensionSolver, RefusesFrictionThatNoDoubleCanHold) {
   Hardware hardware;
   hardware.tube = {2, 5};
   const std::string word = tendon_through_all(max_fingers);
-  EXPECT_EQ(testing::out_of_range([&] { solved_network(word, hardware, Grasp{}); }),
-            no_motor_tension);
+  EXPECT_EQ(refusal(word, hardware),
+            cannot_since("friction is so strong that tensions fall out of range"));
 }
 
 }  // namespace

@@ -43,11 +43,16 @@ TEST(Rank, PutsADesignWithSlackStrandsLast) {
 
 TEST(Show, TakesNamesInAnyCaseAndWords) {
   const std::string expected = reeve("show TR5 --format json").out;
-  for (const char* routing : {"tr5", "Tr5", "tR5", "M-1-P-2-M"}) {
+  for (const char* routing : {"tr5", "Tr5", "tR5", "M-1-P-2-M", " TR5 ", " M-1-P-2-M "}) {
     const ProcessResult result = reeve({"show", routing, "--format", "json"});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_EQ(result.out, expected) << routing;
   }
+}
+
+TEST(Show, IsHeadedByTheNameOrTheWordThatWasGiven) {
+  EXPECT_TRUE(reeve("show tr5").out.starts_with("TR5  M-1-P-2-M\n"));
+  EXPECT_TRUE(reeve("show M-1-P-2-M").out.starts_with("M-1-P-2-M  (routing of TR5)\n"));
 }
 
 TEST(Show, NamesTheCanonicalWordWhereItIsAnother) {

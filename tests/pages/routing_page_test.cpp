@@ -80,7 +80,8 @@ TEST(RoutingPage, SaysHowUniformAndEfficientItIsOnAverageAndAtWorst) {
 
 TEST(RoutingPage, SaysHowItIsWrittenAndMade) {
   const Shown shown({"F-2-T-1-M"});
-  EXPECT_TRUE(shown.has("<h1>TR1: <code>F-2-T-1-M</code></h1>"));
+  EXPECT_TRUE(shown.has("<h1><code>F-2-T-1-M</code></h1>"));
+  EXPECT_TRUE(shown.has("<p>It is the routing of TR1 in the catalogue.</p>"));
   EXPECT_TRUE(shown.has("<code id=\"canonical\">M-1-T-2-F</code>"));
   EXPECT_TRUE(shown.has("<pre id=\"command\">reeve show F-2-T-1-M --out "));
 }
@@ -97,6 +98,7 @@ TEST(RoutingPage, SaysWhatTendonsOfOneCarriageShare) {
 
 TEST(RoutingPage, SaysWhereItJams) {
   EXPECT_TRUE(Shown({"M-1-F+M-2-F", "--held", "1"}).has("With finger 1 held the routing jams"));
+  EXPECT_TRUE(Shown({"1x-M+2x-M2", "--held", "1"}).has("With finger 1 held M stalls"));
 }
 
 // No strands: nothing to draw bars of.

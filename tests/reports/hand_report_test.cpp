@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "core/motor_sides.hpp"
 #include "core/notation.hpp"
 #include "reports/document/document.hpp"
 #include "studies/shown_hand.hpp"
@@ -17,13 +18,18 @@ namespace {
 using testing::hand_of;
 using testing::simple_finger;
 
-ShownHand shown_of(const std::string& word, double stroke_mm, int fingers) {
+Hardware hardware_of(double stroke_mm, int fingers) {
   std::vector<FingerParts> parts;
   for (int f = 1; f <= fingers; ++f) parts.push_back(simple_finger(7 + f, 90, 60, 5));
   Hardware hardware = hand_of(parts);
   hardware.motor.force_N = 80;
   hardware.motor.stroke_mm = stroke_mm;
   hardware.motor.spool_radius_mm = 8;
+  return hardware;
+}
+
+ShownHand shown_of(const std::string& word, double stroke_mm, int fingers) {
+  const Hardware hardware = hardware_of(stroke_mm, fingers);
   const Network network = expand(parse_routing(word));
   return *studies::shown_hand(network, word, Model{hardware}, single_grasps(fingers));
 }
@@ -48,6 +54,52 @@ TEST(HandSections, HaveNoNumbersWhereNoMotorForceIsEnough) {
   EXPECT_TRUE(testing::has(said, "wanted (N)  at 80 N\n"));
   EXPECT_FALSE(testing::has(said, "at - N"));
   EXPECT_FALSE(testing::has(said, "- of it"));
+}
+
+// Returns the line that says why no motor force is enough.
+std::string why_no_force(const std::string& word, const std::string& held,
+                         const Hardware& hardware) {
+  const Network network = expand(parse_routing(word));
+  const Grasp grasp =
+      parse_grasp(held, network.fingers, carriage_count(network), motor_ends(network));
+  Document document;
+  for (const Section& section :
+       reports::hand_sections(*studies::shown_hand(network, word, Model{hardware}, {{grasp, 1}}))) {
+    document.add(section);
+  }
+  const std::string said = text(document);
+  const std::size_t begin = said.find("No motor force is enough");
+  return begin == std::string::npos ? "" : said.substr(begin, said.find('\n', begin) - begin);
+}
+
+TEST(HandSections, SayWhyAFingerHangsOnSlackStrands) {
+  const auto since = [](const std::string& held, const std::string& reason) {
+    return "No motor force is enough: with held " + held +
+           " finger 1 hangs on slack strands, since " + reason;
+  };
+  Hardware hardware = hardware_of(60, 2);
+  EXPECT_EQ(why_no_force("1x-M+2x-M", "a", hardware), since("a", "its ends at motors are locked"));
+  EXPECT_EQ(why_no_force("1x-M+2x-M2", "none@0,1", hardware),
+            since("none@0,1", "its carriages stand still"));
+  EXPECT_EQ(why_no_force("1x-M+2x-M", "2", hardware), since("2", "the carriage is blocked"));
+  hardware.tendon = {.travel_mm = 20, .own = {{.tendon = 1, .slack_mm = 20}}};
+  EXPECT_EQ(why_no_force("1x-M+2x-M", "none", hardware),
+            since("none", "its tendon is still slack after the whole carriage travel"));
+}
+
+TEST(HandJson, NamesTheLockedEndsAndTravelsOfItsGrasps) {
+  const auto grasp_of = [](const std::string& word, const std::string& held) {
+    const Network network = expand(parse_routing(word));
+    const Grasp grasp =
+        parse_grasp(held, network.fingers, carriage_count(network), motor_ends(network));
+    Json json;
+    reports::add_hand(json,
+                      *studies::shown_hand(network, word, Model{hardware_of(60, 2)}, {{grasp, 1}}));
+    return json["grasps"][0];
+  };
+  EXPECT_EQ(grasp_of("1x-M+2x-M", "a")["locked"].dump(), "[\"a\"]");
+  EXPECT_EQ(grasp_of("1x-M+2x-M2", "none@1,0.5")["carriages"].dump(), "[1.0,0.5]");
+  EXPECT_FALSE(grasp_of("1x-M+2x-M", "none").contains("locked"));
 }
 
 TEST(HandSections, HaveAColumnForEachOfSeveralMotorsAndNoPartsOfTheirWork) {

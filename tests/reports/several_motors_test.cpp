@@ -54,9 +54,60 @@ TEST(ShowJson, HasTheSpoolOfAnEndAndTheMotorsForceThroughIt) {
             "Motor-side segments, in walk order: a at T1, b at T3 (spool 0.5)");
 }
 
+std::string head_of(const ShownRouting& shown) {
+  return text(Document{{show_document(shown).sections[0]}});
+}
+
+std::string page_of(const ShownRouting& shown) { return text(show_document(shown)); }
+
+TEST(ShowDocument, SaysOfMotorsThatHaveNothingInCommonWhichOneStalls) {
+  const std::string said = page_of(shown("1x-M+2x-M2", "none/1/2"));
+  EXPECT_TRUE(has(said,
+                  "It jams when finger 1 is held (M stalls), or finger 2 is held (M2 stalls) "
+                  "(2 of 3 grasps, if all carriages travel alike)"))
+      << said;
+  EXPECT_TRUE(has(said,
+                  "M and M2 have nothing in common: if one of them stalls, these tables stop "
+                  "all carriages, but the others can go on, such as with held 1@0,1"))
+      << said;
+  EXPECT_TRUE(has(said, "\n1 (M stalls) ")) << said;
+  EXPECT_TRUE(has(said, "\n2 (M2 stalls) ")) << said;
+}
+
+TEST(ShowDocument, SaysNothingOfOtherMotorsIfAllPullOneTendon) {
+  const std::string said = page_of(shown("M-1-M2+2x-M", "none/1"));
+  EXPECT_FALSE(has(said, "nothing in common")) << said;
+  EXPECT_TRUE(has(said, "\n1 (jams)")) << said;
+}
+
+Model with_tendon(const TendonHardware& own) {
+  Model model;
+  model.hardware.tendon = {.EA_N = 1000, .travel_mm = 50, .own = {own}};
+  return model;
+}
+
+TEST(SharedCarriage, IsSharedByTheSpringsAndSlackThatAreGiven) {
+  const auto said = [](const TendonHardware& own) {
+    return head_of(shown("1x-M+2x-M", "none", with_tendon(own)));
+  };
+  const std::string springs = said({.tendon = 1, .stiffness_N_mm = 5});
+  EXPECT_TRUE(has(springs,
+                  "their shares of its pull follow from the springs given, and assume no "
+                  "slack; a slack tendon carries less"))
+      << springs;
+  const std::string slack = said({.tendon = 1, .slack_mm = 50});
+  EXPECT_TRUE(has(slack,
+                  "their shares of its pull follow from the slack given, and assume equal "
+                  "stiffness; a softer tendon carries less"))
+      << slack;
+  EXPECT_TRUE(has(slack, "It jams when finger 2 is held (1 of 3 grasps)")) << slack;
+  EXPECT_TRUE(has(said({.tendon = 1, .stiffness_N_mm = 5, .slack_mm = 5}),
+                  "follow from the springs and the slack given"));
+}
+
 TEST(SharedCarriage, NamesTheCarriagesOfSeveralMotors) {
   EXPECT_TRUE(
-      has(shared_carriage_text(expand(parse_routing("1x-M+2x-M2"))),
+      has(shared_carriage_text(expand(parse_routing("1x-M+2x-M2")), {}),
           "2 tendons hang on 2 carriages, which travel alike unless a grasp says otherwise"));
 }
 

@@ -1,0 +1,28 @@
+#include "core/tension/tension_fault.hpp"
+
+namespace reeve::core {
+
+const char* words_of(TensionFault fault) {
+  switch (fault) {
+    case TensionFault::none:
+    case TensionFault::out_of_double:
+      break;
+    case TensionFault::no_motor:
+      return "a tendon hangs on no motor";
+    case TensionFault::blocks_free:
+      return "blocks are free to move against each other";
+    case TensionFault::finger_opens:
+      return "a finger would have to open";
+    case TensionFault::jams_while_let_out:
+      return "tendons that blocks join jam while a carriage lets out";
+    case TensionFault::ends_unlike_at_seizure:
+      return "beside a seized contact every end at a motor has to travel alike, without slack";
+    case TensionFault::slack_remains:
+      return "every tendon is still slack after the whole carriage travel";
+    case TensionFault::nothing_pulls:
+      return "no end at a motor moves";
+  }
+  return "friction is so strong that tensions fall out of range";
+}
+
+}  // namespace reeve::core
