@@ -31,6 +31,10 @@ SharedScatter shared_scatter(std::vector<Index> cells, MatrixXd loadings, const 
   constexpr double least = 1e-6;
   SharedScatter result{std::move(cells), {}, {}, std::move(loadings)};
   const MatrixXd acting = acting_columns(seen);
+  if (acting.cols() == 0) {
+    result.axes.resize(seen.rows(), 0);
+    return result;
+  }
   // Few readings of many things are decomposed by the readings.
   const bool by_cells = acting.rows() < acting.cols();
   const SymmetricAxes across = symmetric_axes(by_cells ? MatrixXd(acting * acting.transpose())
