@@ -174,7 +174,7 @@ void add_springs(Dice& dice, const Network& network, GuidedTrial& trial) {
   }
 }
 
-GuidedTrial random_trial(Dice& dice) {
+GuidedTrial random_guided_trial(Dice& dice) {
   Routing routing = dice.chance(0.6) ? testing::random_routing(dice, {1, 4, true, true})
                                      : parse_routing(testing::random_mechanism(dice));
   if (dice.chance(0.5)) routing = testing::with_several_motors(dice, routing);
@@ -248,7 +248,7 @@ TEST(FingerGuidesProperty, TensionsAtPalmAndJointsAreThoseOfAnIndependentSolver)
   int unsolved = 0;
   for (std::uint64_t seed = 1; seed <= trials; ++seed) {
     Dice dice(seed);
-    const GuidedTrial trial = random_trial(dice);
+    const GuidedTrial trial = random_guided_trial(dice);
     if (trial.guides.empty()) continue;
     SCOPED_TRACE(std::to_string(seed) + ": " + to_word(trial.routing) + ", held " +
                  to_text(trial.grasp));

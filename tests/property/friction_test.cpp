@@ -17,7 +17,7 @@ namespace {
 using testing::Dice;
 using testing::Trial;
 
-int motor_sides(const Network& network) {
+int motor_side_count(const Network& network) {
   int count = 0;
   for (const Segment& segment : network.segments) count += segment.kind == SegmentKind::motor_side;
   return count;
@@ -57,7 +57,7 @@ TEST(FrictionProperty, WithOneMotorSideMoreFrictionNeverRaisesEfficiencyOrUnifor
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
     const Trial trial = testing::random_trial(seed, {1, 4, true, false});
-    if (motor_sides(trial.network) != 1 || jams(trial)) continue;
+    if (motor_side_count(trial.network) != 1 || jams(trial)) continue;
     SCOPED_TRACE(testing::to_text(trial));
     expect_no_gain(trial);
     ++found;
