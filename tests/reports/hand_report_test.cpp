@@ -142,7 +142,7 @@ TEST(HandSections, NameTheFingersThatCloseLeastWhereOthersCloseMore) {
 ShownHand guided_hand() {
   FingerParts parts = testing::three_joint_finger();
   for (FingerJoint& joint : parts.joints) joint.guide = JointGuide::tube;
-  parts.joints[0].object_deg = 30;
+  parts.joints[0].object_deg = 60;
   const Network network = expand(parse_routing("M-1-T-2-F"));
   return *studies::shown_hand(network, "M-1-T-2-F", Model{hand_of({parts, parts})},
                               single_grasps(2));
@@ -165,8 +165,15 @@ TEST(HandJson, HasThePosturesOfClosingAndOpening) {
   reports::add_hand(json, guided_hand());
   const Json& closing = json["closings"][0];
   EXPECT_EQ(closing["closing"].size(), closing["opening"].size());
-  EXPECT_NEAR(closing["closing"].back()["flexion_deg"][0].get<double>(), 30, 1e-12);
+  EXPECT_NEAR(closing["closing"].back()["flexion_deg"][0].get<double>(), 60, 1e-12);
   EXPECT_TRUE(closing["closing"].back()["contact_N"].is_null());
+  for (const Json& posture : closing["opening"]) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      EXPECT_EQ(
+          posture["torque_Nmm"][j].get<double>(),
+          posture["tension_N"][j].get<double>() * testing::three_joint_finger().joints[j].arm_mm);
+    }
+  }
   EXPECT_EQ(closing["stops"].size(), 3U);
   Json plain;
   reports::add_hand(plain, shown_of("M-1-M+M-2-M", 60, 2));
