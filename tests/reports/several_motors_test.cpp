@@ -12,6 +12,8 @@
 namespace reeve {
 namespace {
 
+using testing::has;
+
 ShownRouting shown(const std::string& word, const std::string& grasps, const Model& model = {}) {
   const Routing routing = parse_routing(word);
   return shown_routing(routing, model,
