@@ -165,7 +165,7 @@ class FingerTendon {
     return lever;
   }
 
-  // What the forces on the phalanges beyond joint j do about it.
+  // Returns the torque about joint j of the contact forces beyond it.
   double contact_torque(const FingerPosture& posture, std::size_t j) const {
     double torque = 0;
     for (std::size_t k = j + 1; k < joints_.size(); ++k) {
@@ -174,7 +174,7 @@ class FingerTendon {
     return torque;
   }
 
-  // What the tendon does about joint j beyond what its spring holds.
+  // Returns the tendon's torque about joint j less that of the spring.
   double drive_torque(const FingerPosture& posture, std::size_t j) const {
     const double spring = joints_[j].spring_Nmm_rad * (posture.flexion_rad[j] - hinges_[j].rest);
     return hinges_[j].arm * posture.tension_N[j] - spring;

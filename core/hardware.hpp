@@ -43,7 +43,7 @@ struct FingerJoint {
 
   // The flexion at which the joint stops in closing: at the object, otherwise the whole range.
   double stop_deg() const { return object_deg.value_or(range_deg); }
-  // That of the posture that holds; the joint then is at its stop if nobody says otherwise.
+  // The joint holds at its stop if no other posture is given.
   double held_flexion_deg() const { return held_deg.value_or(stop_deg()); }
 
   friend bool operator==(const FingerJoint&, const FingerJoint&) = default;

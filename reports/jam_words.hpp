@@ -24,7 +24,7 @@ std::string held_words(Grasp grasp);
 std::string jam_sentence(const std::vector<Grasp>& smallest, const ObjectiveValues& values,
                          const Network& network);
 
-// Of a state that jams: "M2 stalls" of motors that have nothing in common; "" of others.
+// Returns "M2 stalls" of a state that jams, if motors have nothing in common; otherwise "".
 std::string stalled_motors(const Network& network, const TensionState& state);
 // " (jams)" or " (M2 stalls)"; "" if the state does not jam.
 std::string jam_mark(const Network& network, const TensionState& state);

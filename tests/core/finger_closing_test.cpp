@@ -182,7 +182,7 @@ struct Skeleton {
     }
   }
 
-  // Of a force of 1 N on phalanx k, square to it, about joint j.
+  // Returns the torque about joint j of 1 N on phalanx k, square to it.
   double torque(std::size_t j, std::size_t k) const {
     const Place arm{middle[k].x - joint[j].x, middle[k].y - joint[j].y};
     return arm.x * outward[k].y - arm.y * outward[k].x;
