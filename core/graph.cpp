@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "core/network_graph.hpp"
 
@@ -21,6 +23,24 @@ void require_actuated(const Network& network, const std::string& word) {
                                "motor cannot pull it",
                                segment_name(network.segments[i]))});
     }
+  }
+}
+
+void require_single_tendons(const Network& network, const std::string& word, const char* study) {
+  const auto is_round_tip = [&](const Segment& strand) {
+    return std::any_of(
+        network.contacts.begin(), network.contacts.end(), [&](const Contact& contact) {
+          return contact.place == ContactPlace::tip && contact.finger == strand.finger;
+        });
+  };
+  for (const Segment& segment : network.segments) {
+    const bool is_even = segment.kind == SegmentKind::strand && segment.number % 2 == 0;
+    if (!is_even || is_round_tip(segment)) continue;
+    throw InputError(
+        {.where = fmt::format("routing '{}'", word),
+         .what = fmt::format("finger {} has {}, which {} does not know", segment.finger,
+                             segment.extensor ? "an extensor" : "a second flexor", study),
+         .expected = "one flexor tendon on each finger"});
   }
 }
 

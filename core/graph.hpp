@@ -11,6 +11,10 @@ namespace reeve::core {
 // Names the first tendon that hangs on no motor, in an InputError. `word` is the routing's.
 void require_actuated(const Network& network, const std::string& word);
 
+// Names the first finger that has an extensor or a second tied end, in an InputError: `study`
+// knows one tendon a finger.
+void require_single_tendons(const Network& network, const std::string& word, const char* study);
+
 // The network in the language of Graphviz; with a state also tensions and sliding directions.
 std::string to_dot(const Network& network, const std::string& title,
                    const TensionState* state = nullptr);

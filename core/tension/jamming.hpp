@@ -24,7 +24,8 @@
 
 namespace reeve::core {
 
-// More fingers than these of one tree that has to be tried, or of a network that is split, are not
+// More fingers than these of one tree that has to be tried, or of a network that is split or
+// shared, are not
 // tried: 2^16 sets take a second.
 inline constexpr int most_fingers_tried = 16;
 
@@ -39,7 +40,7 @@ class JamFinder {
   std::vector<Grasp> smallest(const Network& network, const Mechanics& mechanics);
 
  private:
-  // The jams are those of one tree, or of a split network as a whole.
+  // The jams are those of one tree, or of a split or shared network as a whole.
   struct TreeJams {
     std::uint64_t fingers = 0;
     bool tried = false;  // each set of its fingers, or none of them can jam

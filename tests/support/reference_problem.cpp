@@ -182,4 +182,27 @@ Problem pose(const Tendon& tendon, const std::set<int>& held, ReferenceDirection
   return problem;
 }
 
+Problem pose_shared(const Tendon& tendon, const std::map<int, Real>& closing, bool slack,
+                    ReferenceDirection direction, const ReferenceHardware& hardware) {
+  Problem problem;
+  problem.length = lengths(tendon, hardware);
+  problem.phi = exponents(tendon, hardware);
+  problem.elastic = Vector::Zero(problem.length.size());
+  problem.slip = Vector::Zero(problem.phi.size());
+  Vector e0 = problem.elastic;
+  for (Index i = 0; i < e0.size(); ++i) {
+    const Segment& segment = tendon.segments[static_cast<std::size_t>(i)];
+    e0(i) = travel(segment, hardware);
+    const auto found = closing.find(segment.finger);
+    if (found == closing.end()) continue;
+    e0(i) = segment.extensor ? found->second : -found->second;
+    problem.closing[segment.finger] = static_cast<double>(found->second);
+  }
+  if (slack) return problem;
+  if (direction == ReferenceDirection::release) e0 = -e0;
+  for (Index i = 0; i < e0.size(); ++i) problem.elastic(i) = e0(i) < 0 ? -e0(i) : 0;
+  problem.slip = zero_order_slips(e0, problem.phi, false);
+  return problem;
+}
+
 }  // namespace reeve::testing::reference
