@@ -118,6 +118,16 @@ class SharedClosing {
     return false;
   }
 
+  // A tree that no carriage pulls, and that would have to move a finger against one that is pulled.
+  void oppose(const Tree& still, const Tree& pulled) {
+    for (std::size_t f = 0; f < found_.closing.size(); ++f) {
+      if (std::abs(still.closing[f]) <= least_step || pulled.closing[f] == 0) continue;
+      found_.opposed = static_cast<int>(f) + 1;
+      mark(pulled, found_.jams);
+      return;
+    }
+  }
+
   // Trees that no carriage pulls.
   void follow() {
     for (Tree& tree : trees_) {
@@ -126,13 +136,8 @@ class SharedClosing {
       move(tree, state);
       if (state.fault != TensionFault::none) found_.fault = state.fault;
       mark(tree, found_.slack);
-      const int finger = first_moved(tree.closing);
-      if (finger == 0) continue;
-      found_.opposed = finger;
       for (const Tree& other : trees_) {
-        if (other.pulled && other.closing[static_cast<std::size_t>(finger) - 1] != 0) {
-          mark(other, found_.jams);
-        }
+        if (other.pulled) oppose(tree, other);
       }
       std::fill(tree.closing.begin(), tree.closing.end(), 0.0);
     }

@@ -58,7 +58,8 @@ struct CommonClosing {
 
   bool drives = false;  // some carriage pulls
   bool lets_out = false;
-  bool closes = false;  // some finger
+  bool closes = false;    // some finger
+  bool has_room = false;  // though it moves no finger
   bool exact = false;
   bool unique = false;
   Vector blocks;
@@ -87,6 +88,11 @@ struct CommonClosing {
             matrix(row, columns.of_block[block]) += factor;
           });
       ++row;
+    }
+    if (network.shared && columns.blocks == 0 && matrix.isZero(0)) {
+      closes = lets_out = false;
+      drives = motor(0) > length_tolerance;
+      has_room = motor(0) < -length_tolerance;
     }
     if (stands_still(network)) return;
     const Eigen::ColPivHouseholderQR<Matrix> qr(matrix);
@@ -184,7 +190,7 @@ TreeState solve_with(const Network& network, const Mechanics& mechanics, Grasp g
                      std::size_t tree, const std::vector<double>& given, const TreeColumns& columns,
                      std::vector<double>& closing, std::vector<double>& block_travel) {
   const CommonClosing<Most> common(network, mechanics, grasp, tree, given, columns);
-  if (common.stands_still(network)) return common.drives ? jams : moves;
+  if (common.stands_still(network)) return {.jams = common.drives, .slack = common.has_room};
   if (common.exact) {
     if (!common.unique) return undetermined(TensionFault::blocks_free);
     if (network.shared && common.closing < -length_tolerance) return {.slack = true};

@@ -25,7 +25,7 @@ constexpr std::array<SymbolMeaning, 11> legend_entries{
      {LegendSymbol::fixed, "fixed (F)", &DrawnParts::fixed},
      {LegendSymbol::tied, "tied (M)", &DrawnParts::tied},
      {LegendSymbol::anchored, "tied (1x)", &DrawnParts::anchors},
-     {LegendSymbol::extensor, "extensor (1e)", &DrawnParts::extensors},
+     {LegendSymbol::extensor, "back (1e)", &DrawnParts::extensors},
      {LegendSymbol::block, "block (Y)", &DrawnParts::blocks},
      {LegendSymbol::bar, "bar (W)", &DrawnParts::bars},
      {LegendSymbol::slides, "slides", nullptr, true},

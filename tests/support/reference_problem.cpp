@@ -43,7 +43,7 @@ Vector exponents(const Tendon& tendon, const ReferenceHardware& hardware) {
 Vector lengths(const Tendon& tendon, const ReferenceHardware& hardware) {
   Vector length(static_cast<Index>(tendon.segments.size()));
   for (std::size_t i = 0; i < tendon.segments.size(); ++i) {
-    const auto& [name, place, finger, carriage] = tendon.segments[i];
+    const auto& [name, place, finger, carriage, extensor] = tendon.segments[i];
     const double nominal = place == Place::strand       ? hardware.strand_length
                            : place == Place::motor_side ? hardware.motor_side_length
                                                         : hardware.hand_length;
