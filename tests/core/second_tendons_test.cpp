@@ -19,8 +19,8 @@ namespace {
 
 using testing::solved_network;
 
-const double sheath = std::exp(-0.18 * 2 * std::numbers::pi);
-const double pulley = std::exp(-0.001 * std::numbers::pi);
+const double sheath_ratio = std::exp(-0.18 * 2 * std::numbers::pi);
+const double pulley_ratio = std::exp(-0.001 * std::numbers::pi);
 
 Grasp travels(std::array<double, 2> of_motors, std::vector<int> held = {}) {
   Grasp grasp = hold(held);
@@ -32,11 +32,11 @@ Grasp travels(std::array<double, 2> of_motors, std::vector<int> held = {}) {
 TEST(SecondTendons, FlexorsOfEqualTravelShareTheTension) {
   const auto solved = solved_network("M-1x+M2-1x", Hardware{});
   for (const char* side : {"a", "b"}) EXPECT_DOUBLE_EQ(solved[side], 0.5);
-  for (const char* strand : {"T1", "T2"}) EXPECT_DOUBLE_EQ(solved[strand], sheath / 2);
+  for (const char* strand : {"T1", "T2"}) EXPECT_DOUBLE_EQ(solved[strand], sheath_ratio / 2);
   EXPECT_EQ(solved.state.closing, std::vector<double>{1});
   const Performance found = performance(solved.network, solved.state);
-  EXPECT_DOUBLE_EQ(found.efficiency, sheath);
-  EXPECT_DOUBLE_EQ(pulls_by_finger(solved.network, solved.state)[1], sheath);
+  EXPECT_DOUBLE_EQ(found.efficiency, sheath_ratio);
+  EXPECT_DOUBLE_EQ(pulls_by_finger(solved.network, solved.state)[1], sheath_ratio);
 }
 
 TEST(SecondTendons, TheSlowerFlexorOfAFingerIsSlack) {
@@ -44,9 +44,9 @@ TEST(SecondTendons, TheSlowerFlexorOfAFingerIsSlack) {
   EXPECT_EQ(solved["a"], 0);
   EXPECT_EQ(solved["T1"], 0);
   EXPECT_EQ(solved["b"], 1);
-  EXPECT_DOUBLE_EQ(solved["T2"], sheath);
+  EXPECT_DOUBLE_EQ(solved["T2"], sheath_ratio);
   EXPECT_EQ(solved.state.closing, std::vector<double>{2});
-  EXPECT_DOUBLE_EQ(performance(solved.network, solved.state).efficiency, sheath);
+  EXPECT_DOUBLE_EQ(performance(solved.network, solved.state).efficiency, sheath_ratio);
 }
 
 // M2 closes finger 1 by 1.5, so that the tendon over the pulley closes finger 2 by 0.5.
@@ -55,16 +55,17 @@ TEST(SecondTendons, ATendonClosesItsOtherFingersByWhatItHasLeft) {
   hardware.strand_mm = 100;
   hardware.motor_side_mm = 300;
   const auto solved = solved_network("1x-P-2x+M2-1x", hardware, travels({1, 1.5}));
-  const double over_pulley = 2 / (100 * sheath * (1 + pulley) + 300 * (1 + pulley));
-  const double alone = 1.5 / (100 * sheath + 300);
-  const double motors = over_pulley * (1 + pulley) + alone;
+  const double over_pulley =
+      2 / (100 * sheath_ratio * (1 + pulley_ratio) + 300 * (1 + pulley_ratio));
+  const double alone = 1.5 / (100 * sheath_ratio + 300);
+  const double motors = over_pulley * (1 + pulley_ratio) + alone;
   EXPECT_NEAR(solved.state.closing[0], 1.5, 1e-13);
   EXPECT_NEAR(solved.state.closing[1], 0.5, 1e-13);
-  EXPECT_NEAR(solved["a"], over_pulley * pulley / motors, 1e-13);
+  EXPECT_NEAR(solved["a"], over_pulley * pulley_ratio / motors, 1e-13);
   EXPECT_NEAR(solved["b"], over_pulley / motors, 1e-13);
-  EXPECT_NEAR(solved["T1"], over_pulley * pulley * sheath / motors, 1e-13);
-  EXPECT_NEAR(solved["T3"], over_pulley * sheath / motors, 1e-13);
-  EXPECT_NEAR(solved["T2"], alone * sheath / motors, 1e-13);
+  EXPECT_NEAR(solved["T1"], over_pulley * pulley_ratio * sheath_ratio / motors, 1e-13);
+  EXPECT_NEAR(solved["T3"], over_pulley * sheath_ratio / motors, 1e-13);
+  EXPECT_NEAR(solved["T2"], alone * sheath_ratio / motors, 1e-13);
 }
 
 TEST(SecondTendons, ExtensorsFollowWithoutTensionWhileTheirMotorLetsOut) {
@@ -85,12 +86,12 @@ TEST(SecondTendons, ExtensorsOpenTheFingersWhileTheFlexorsAreLetOut) {
   const auto solved = solved_network("1x-P-2x+M2-1e+M2-2e", Hardware{}, travels({-1, 1}));
   for (const char* name : {"a", "b", "T1", "T3"}) EXPECT_EQ(solved[name], 0);
   for (const char* name : {"c", "d"}) EXPECT_DOUBLE_EQ(solved[name], 0.5);
-  for (const char* name : {"T2", "T4"}) EXPECT_DOUBLE_EQ(solved[name], sheath / 2);
+  for (const char* name : {"T2", "T4"}) EXPECT_DOUBLE_EQ(solved[name], sheath_ratio / 2);
   EXPECT_EQ(solved.state.closing, (std::vector<double>{-1, -1}));
   const FingerArray pulls = pulls_by_finger(solved.network, solved.state);
-  EXPECT_DOUBLE_EQ(pulls[1], -sheath / 2);
+  EXPECT_DOUBLE_EQ(pulls[1], -sheath_ratio / 2);
   const Performance found = performance(solved.network, solved.state);
-  EXPECT_DOUBLE_EQ(found.efficiency, sheath);
+  EXPECT_DOUBLE_EQ(found.efficiency, sheath_ratio);
   EXPECT_EQ(found.finger_uniformity, 1);
 }
 
