@@ -170,6 +170,7 @@ TEST(SecondTendons, HaveOneCanonicalWord) {
   same("M-1e+M2-1x", "M-1x+M2-1e");
   same("M-Y1+1x-Y1-2x+M2-2e", "M-Y1+1x-Y1-2x+M2-1e");
   same("1x-P-2x+3x-P-4x+M2-4e", "1x-P-2x+3x-P-4x+M2-1e");
+  same("1x-P-4x+3x-P-2x+1e-P2-3e+4e-P2-2e", "1x-P-2x+3x-P-4x+1e-P2-3e+2e-P2-4e");
   EXPECT_NE(canonical(parse_routing("1x-P-2x+M2-1x"), FingerIdentity::identical),
             canonical(parse_routing("1x-P-2x+M2-1e"), FingerIdentity::identical));
   const auto distinct = [](const std::string& word) {
