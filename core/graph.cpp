@@ -26,22 +26,26 @@ void require_actuated(const Network& network, const std::string& word) {
   }
 }
 
-void require_single_tendons(const Network& network, const std::string& word, const char* study) {
-  const auto is_round_tip = [&](const Segment& strand) {
-    return std::any_of(
+const Segment* second_tendon(const Network& network) {
+  const auto is_second = [&](const Segment& segment) {
+    if (segment.kind != SegmentKind::strand || segment.number % 2 == 1) return false;
+    return std::none_of(
         network.contacts.begin(), network.contacts.end(), [&](const Contact& contact) {
-          return contact.place == ContactPlace::tip && contact.finger == strand.finger;
+          return contact.place == ContactPlace::tip && contact.finger == segment.finger;
         });
   };
-  for (const Segment& segment : network.segments) {
-    const bool is_even = segment.kind == SegmentKind::strand && segment.number % 2 == 0;
-    if (!is_even || is_round_tip(segment)) continue;
-    throw InputError(
-        {.where = fmt::format("routing '{}'", word),
-         .what = fmt::format("finger {} has {}, which {} does not know", segment.finger,
-                             segment.extensor ? "an extensor" : "a second flexor", study),
-         .expected = "one flexor tendon on each finger"});
-  }
+  const auto found = std::find_if(network.segments.begin(), network.segments.end(), is_second);
+  return found == network.segments.end() ? nullptr : &*found;
+}
+
+void require_single_tendons(const Network& network, const std::string& word, const char* study) {
+  const Segment* const second = second_tendon(network);
+  if (second == nullptr) return;
+  throw InputError(
+      {.where = fmt::format("routing '{}'", word),
+       .what = fmt::format("finger {} has {}, which {} does not know", second->finger,
+                           second->extensor ? "an extensor" : "a second flexor", study),
+       .expected = "one flexor tendon on each finger"});
 }
 
 namespace {

@@ -1,8 +1,8 @@
 // Finds the grasps in which the carriage is blocked, among all sets of held fingers but that of all
 // fingers.
 //
-// A grasp jams if some tree of tendons gives nothing to the carriage (kinematics.hpp). No two trees
-// share a finger, so each tree jams or moves by its own held fingers, and of n fingers
+// A grasp jams if some tree of tendons gives nothing to the carriage (kinematics.hpp). If no two
+// trees share a finger, each jams or moves by its own held fingers, and of n fingers
 //
 //   grasps that jam = 2^n − 1 − Π_t m_t,    m_t: sets of held fingers with which tree t moves
 //
