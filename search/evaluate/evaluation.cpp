@@ -142,11 +142,13 @@ double DesignEvaluator::travel() {
   }
   if (strands == 0) return 0;
   if (network_.blocks.empty() && !blocks_the_carriage(network_)) return strands / motor_sides;
-  kinematics_.solve(network_, mechanics_, Grasp{}, Direction::pull, motion_);
+  const bool is_known = is_shared_ && shared_->solve(Grasp{}, Direction::pull, state_);
+  if (!is_known) kinematics_.solve(network_, mechanics_, Grasp{}, Direction::pull, motion_);
+  const std::vector<double>& closing_of = is_known ? state_.closing : motion_.closing;
   double closing = 0;
   for (const Segment& segment : network_.segments) {
     if (segment.kind != SegmentKind::strand) continue;
-    closing += motion_.closing[static_cast<std::size_t>(segment.finger - 1)];
+    closing += closing_of[static_cast<std::size_t>(segment.finger - 1)];
   }
   return strands / closing;
 }
@@ -213,6 +215,10 @@ void DesignEvaluator::set_routing(const Routing& routing) {
   }
 }
 
+double DesignEvaluator::jams() {
+  return is_shared_ ? shared_->jams() : jam_finder_.grasps(moving_network(), moving_mechanics());
+}
+
 // A model that changes exponents does so with the drawn ones, too.
 ContactQuantiles DesignEvaluator::contact_quantiles() {
   builder_.deviations(network_, deviations_);
@@ -242,7 +248,7 @@ void DesignEvaluator::find_outcome(const Routing& routing, const EvaluationScope
   outcome_.parts = parts(network_);
   outcome_.travel = travel();
   if (prices_) outcome_.cost = cost(outcome_.parts, tendon_length(mechanics_), *prices_);
-  outcome_.jams_all = scope.jamming ? jam_finder_.grasps(moving_network(), moving_mechanics()) : 0;
+  outcome_.jams_all = scope.jamming ? jams() : 0;
   outcome_.where_contacts_scatter = scope.contacts ? contact_quantiles() : ContactQuantiles{};
   outcome_.hand = evaluates_hand(scope) ? hand_outcome() : HandOutcome{};
 }

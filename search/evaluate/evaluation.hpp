@@ -55,6 +55,8 @@ class DesignEvaluator {
   // Solves each tree of tendons once, if model and grasps allow it. This helps if many routings
   // share trees. The values stay the same, bit for bit.
   void share_trees();
+  // Requires shared trees.
+  SharedStates& shared_states() { return *shared_; }
 
   // The outcome is valid until the next call. Throws OutOfRange that names routing and grasp where
   // the model has no tensions.
@@ -86,6 +88,7 @@ class DesignEvaluator {
   const TensionState& solve(Grasp grasp, Direction direction);
   const Mechanics& solved_mechanics();  // of the last solve
   double travel();
+  double jams();  // in all grasps
   bool evaluates_hand(const EvaluationScope& scope) const;
   GripDemand grip(const TensionState& pulled, Grasp grasp);
   HandOutcome hand_outcome();

@@ -15,7 +15,7 @@
 
 namespace reeve::search {
 
-// Sums that a tree's state adds to a routing (t_i: known_trees.hpp). They suffice to see that a
+// Sums that a tree's state adds to a routing (t_i: shared_states.hpp). They suffice to see that a
 // design is far from the kept ones.
 struct TreeSums {
   bool jams = false;
