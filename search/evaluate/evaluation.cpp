@@ -34,10 +34,6 @@ EvaluationScope scope_for(const std::vector<Objective>& objectives, const Score&
           counts(Objective::uniformity_p5) || counts(Objective::efficiency_p5)};
 }
 
-bool may_not_converge(const Model& model) {
-  return reaches(model, Reach::contact) || changes_exponents(model);
-}
-
 namespace {
 
 // Tendons without a strand, which give nothing up.
@@ -77,7 +73,7 @@ DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps, Score scor
       score_(std::move(score)),
       prices_(std::move(prices)) {
   if (hand_) require_carriages_that_pull(grasps_);
-  if (search::may_not_converge(model)) model_solver_.emplace(*model_);
+  if (reaches(model, Reach::contact) || changes_exponents(model)) model_solver_.emplace(*model_);
 }
 
 void DesignEvaluator::share_trees() {

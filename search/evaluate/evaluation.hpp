@@ -40,9 +40,6 @@ struct EvaluationScope {
 // Returns the scope that these objectives need; the score needs that of its terms.
 EvaluationScope scope_for(const std::vector<Objective>& objectives, const Score& score);
 
-// True if a tension solve with this model can fail to converge at all.
-bool may_not_converge(const Model& model);
-
 // Keeps its memory: evaluating routing after routing allocates nothing in the steady state.
 // One for each thread. (With a seized contact, evaluating allocates.)
 class DesignEvaluator {
@@ -76,8 +73,6 @@ class DesignEvaluator {
   // Solves so far that did not converge: friction that depends on the tension, and forces that eat
   // nearly all of it. Their figures are then approximate.
   std::size_t unconverged() const { return unconverged_; }
-  // True if a solve can fail to converge at all.
-  bool may_not_converge() const { return model_solver_.has_value(); }
 
  private:
   void set_routing(const Routing& routing);
