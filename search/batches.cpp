@@ -43,7 +43,7 @@ class LeftOutRoutings {
  private:
   RoutingSource& source_;
   ShardRange range_;
-  RoutingSource::Counts before_;  // at places counted already
+  std::vector<std::uint64_t> before_;  // verdicts at places counted already
   std::vector<std::optional<RoutingSource::LeftOutPlace>> references_;
 };
 
@@ -58,14 +58,14 @@ LeftOutRoutings::LeftOutRoutings(const ExploreOptions& options, RoutingSource& s
 
 void LeftOutRoutings::go_on_with(ShardRange range, std::uint64_t counted) {
   range_ = range;
-  before_ = source_.counts_before(range.begin + counted);
+  before_ = source_.verdicts_before(range.begin + counted);
 }
 
 void LeftOutRoutings::add_to(ExplorationPart& part, std::uint64_t generated, std::uint64_t given) {
-  RoutingSource::Counts until = source_.counts_before(range_.begin + generated);
-  part.evaluated += until.within - before_.within - given;
-  for (std::size_t c = 0; c < until.rejected.size(); ++c) {
-    const std::uint64_t rejected = until.rejected[c] - before_.rejected[c];
+  std::vector<std::uint64_t> until = source_.verdicts_before(range_.begin + generated);
+  part.evaluated += until[within_limits] - before_[within_limits] - given;
+  for (std::size_t c = 0; failing(c) < until.size(); ++c) {
+    const std::uint64_t rejected = until[failing(c)] - before_[failing(c)];
     part.constraint_failures[c] += rejected;
     part.evaluated += rejected;
   }
