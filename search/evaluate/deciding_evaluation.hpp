@@ -16,7 +16,6 @@
 #include "core/grasp.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "search/evaluate/loaded_trees.hpp"
-#include "search/evaluate/outlined_performance.hpp"
 #include "search/evaluate/routing_beginning.hpp"
 #include "search/evaluate/tree_spans.hpp"
 

@@ -78,9 +78,6 @@ class SharedStates {
     std::vector<double> numbers;
     double moving = 0;  // number of sets of its held fingers with which it does not jam
   };
-  struct HashKey {
-    std::size_t operator()(const TreeKey& key) const { return hash(key); }
-  };
 
   void make_room(std::size_t trees);
   void outline(const Routing& routing, const TreeSpan& span, Tree& tree);
@@ -97,7 +94,7 @@ class SharedStates {
   JamFinder jam_finder_;
   TensionState alone_;
   Routing part_;
-  std::unordered_map<TreeKey, Tree, HashKey> known_;
+  std::unordered_map<TreeKey, Tree, TreeKey::Hash> known_;
   // A tree with more than half of a routing's fingers, whose outline was asked for: there are many
   // of them, and one stays while those beside it change.
   TreeKey greatest_key_;

@@ -41,9 +41,11 @@ struct TreeKey {
   std::array<std::uint64_t, words> bits{};
 
   friend bool operator==(const TreeKey&, const TreeKey&) = default;
-};
 
-std::uint64_t hash(const TreeKey& key);
+  struct Hash {
+    std::size_t operator()(const TreeKey& key) const;
+  };
+};
 
 struct TreeSpan {
   std::size_t begin = 0;  // index into the routing's tendons
