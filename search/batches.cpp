@@ -18,7 +18,7 @@
 #include "search/evaluate/evaluation.hpp"
 #include "search/exploration_part.hpp"
 #include "search/limits/part_classes.hpp"
-#include "search/reference_tally.hpp"
+#include "search/rank/pareto.hpp"
 #include "search/routing_source.hpp"
 
 namespace reeve::search {
@@ -43,7 +43,7 @@ class LeftOutRoutings {
  private:
   RoutingSource& source_;
   ShardRange range_;
-  RoutingSource::Counts before_;  // at places counted already
+  std::vector<std::uint64_t> before_;  // verdicts at places counted already
   std::vector<std::optional<RoutingSource::LeftOutPlace>> references_;
 };
 
@@ -58,14 +58,14 @@ LeftOutRoutings::LeftOutRoutings(const ExploreOptions& options, RoutingSource& s
 
 void LeftOutRoutings::go_on_with(ShardRange range, std::uint64_t counted) {
   range_ = range;
-  before_ = source_.counts_before(range.begin + counted);
+  before_ = source_.verdicts_before(range.begin + counted);
 }
 
 void LeftOutRoutings::add_to(ExplorationPart& part, std::uint64_t generated, std::uint64_t given) {
-  RoutingSource::Counts until = source_.counts_before(range_.begin + generated);
-  part.evaluated += until.within - before_.within - given;
-  for (std::size_t c = 0; c < until.rejected.size(); ++c) {
-    const std::uint64_t rejected = until.rejected[c] - before_.rejected[c];
+  std::vector<std::uint64_t> until = source_.verdicts_before(range_.begin + generated);
+  part.evaluated += until[within_limits] - before_[within_limits] - given;
+  for (std::size_t c = 0; failing(c) < until.size(); ++c) {
+    const std::uint64_t rejected = until[failing(c)] - before_[failing(c)];
     part.constraint_failures[c] += rejected;
     part.evaluated += rejected;
   }
@@ -77,6 +77,46 @@ void LeftOutRoutings::add_to(ExplorationPart& part, std::uint64_t generated, std
     part.references[r].rejected_by = left->constraint;
   }
 }
+
+// Counts what is known of the references among all searched routings: whether each was generated,
+// which constraint rejected it, and how many designs dominate it.
+class ReferenceTally {
+ public:
+  explicit ReferenceTally(const ExploreOptions& options) : options_(options) {
+    DesignEvaluator evaluator(options.model, options.grasps, options.score, options.prices);
+    for (const Routing& routing : options.references) {
+      goodness_.push_back(goodness(evaluator.evaluate(routing), options.order.objectives));
+    }
+  }
+
+  // `values` has at least those of the order; `failed_constraint` is a number from 1, 0 for none.
+  void count(const Routing& routing, const ObjectiveValues& values, std::size_t failed_constraint,
+             std::vector<ReferenceCount>& references) const {
+    for (std::size_t r = 0; r < goodness_.size(); ++r) {
+      if (routing != options_.references[r]) continue;
+      references[r].generated = true;
+      if (failed_constraint > 0) references[r].rejected_by = failed_constraint - 1;
+    }
+    if (failed_constraint > 0 || goodness_.empty()) return;
+    const Goodness candidate = goodness(values, options_.order.objectives);
+    for (std::size_t r = 0; r < goodness_.size(); ++r) {
+      if (dominates(candidate, goodness_[r])) ++references[r].dominated_by;
+    }
+  }
+
+  // True if all values between the two estimates give the same count.
+  bool agree(const Estimate& estimate) const {
+    const Goodness best = goodness(estimate.at_best, options_.order.objectives);
+    const Goodness worst = goodness(estimate.at_worst, options_.order.objectives);
+    return std::all_of(goodness_.begin(), goodness_.end(), [&](const Goodness& reference) {
+      return dominates(best, reference) == dominates(worst, reference);
+    });
+  }
+
+ private:
+  const ExploreOptions& options_;
+  std::vector<Goodness> goodness_;  // one for each reference
+};
 
 // Batches are large enough that threads rarely wait for the slowest one. They are small enough for
 // a cache, for Ctrl-C, and to lose little on an interrupt. A grain takes some tenths of a
@@ -116,13 +156,15 @@ class Exploration {
         source_(options, !tells_reaches_ && !checkpoint.design),
         range_(shard_range(source_.total(), options.shard.index, options.shard.count)),
         workers_(options.threads),
-        references_(options, workers_.count()),
+        references_(options),
         part_(checkpoint.before ? part_of(*checkpoint.before, options) : ExplorationPart(options)) {
     for (std::size_t w = 0; w < workers_.count(); ++w) {
       evaluators_.emplace_back(options.model, options.grasps, options.score, options.prices,
                                deciding_objectives(options));
     }
-    count_from_zero();
+    if (evaluated == EvaluatedDesigns::all) {
+      part_.reaches = ConstraintReaches(options.constraints.size());
+    }
     if (keeps_) {
       for (std::size_t w = 0; w < workers_.count(); ++w) {
         whole_.emplace_back(options.model, options.grasps, options.score, options.prices);
@@ -138,7 +180,8 @@ class Exploration {
     if (parts_decide_ && !checkpoint.design && (options.constraints.empty() || !tells_reaches_)) {
       leave_out_unwanted();
     }
-    go_on();
+    generated_ = part_.generated;
+    seconds_before_ = part_.seconds;
   }
 
   ExplorationPart run(const Supervision& supervision) {
@@ -150,9 +193,7 @@ class Exploration {
       std::swap(batch_, next_);
       evaluate_and_fill_next();
       generated_ = batch_.generated;
-      const std::size_t done = first_not_done();
-      if (done < batch_.actuated) withdraw_from(done);
-      collect(done);
+      collect();
       if (supervision.report) supervision.report({generated_, part_.total, before});
       stopped = must_stop();
       if (checkpoint_.save && !stopped && checkpoint_.is_due()) save();
@@ -172,7 +213,6 @@ class Exploration {
     start_ = std::chrono::steady_clock::now();
     part_ = ExplorationPart(options_);
     part_.total = piece.end - piece.begin;
-    count_from_zero();
     ExplorationPart part = run(supervision);
     seen_->absorb(part);
     // Both calls thin out the kept designs, so that they reject later designs sooner.
@@ -182,11 +222,6 @@ class Exploration {
   }
 
  private:
-  void count_from_zero() {
-    reaches_.assign(workers_.count(), ConstraintReaches(options_.constraints.size()));
-    references_.count_from_zero();
-  }
-
   // The evaluator is one of its own, since routings are made while others are evaluated.
   void leave_out_unwanted() {
     auto evaluator =
@@ -199,14 +234,6 @@ class Exploration {
           const std::optional<Estimate> bound = evaluator->estimate(beginning);
           return !bound || !is_far(*bound) || part_.sample.may_have_one(places);
         });
-  }
-
-  // Credits all earlier counts to the first worker.
-  void go_on() {
-    generated_ = part_.generated;
-    seconds_before_ = part_.seconds;
-    reaches_.front() = part_.reaches;
-    references_.go_on(part_.references);
   }
 
   void save() {
@@ -298,8 +325,6 @@ class Exploration {
   void judge(BatchSlot& slot, const std::optional<ObjectiveValues>& far, std::size_t worker) {
     slot.values = far ? *far : evaluators_[worker].evaluate(slot.routing);
     slot.failed_constraint = first_failure(options_.constraints, slot.values);
-    if (slot.failed_constraint > 0 && tells_reaches_)
-      reaches_[worker].add(options_.constraints, slot.values);
     const bool may_be_kept = !far && slot.failed_constraint == 0;
     slot.may_rank = may_be_kept && part_.archive.may_rank(slot.values);
     slot.may_be_step = may_be_kept && part_.tradeoff.may_be_step(slot.values);
@@ -310,7 +335,6 @@ class Exploration {
       // A reader of the store may ask for any value.
       if (keeps_) slot.all_values = whole_[worker].evaluate(slot.routing);
     }
-    references_.count(evaluated(slot), worker, part_.references);
   }
 
   // Returns the values at best if they suffice. Otherwise returns nothing.
@@ -339,34 +363,20 @@ class Exploration {
     slot.sampled = slot.sampled && seen_->sample.would_enter(slot.place);
   }
 
-  std::size_t first_not_done() const {
-    std::size_t done = 0;
-    while (done < batch_.actuated && batch_.slots[done].done) ++done;
-    return done;
-  }
-
-  // Blocks are not worked off in their order: what was done behind the first that was not does not
-  // count.
-  void withdraw_from(std::size_t first) {
-    generated_ = batch_.slots[first].place - range_.begin;
-    for (std::size_t i = first; i < batch_.actuated; ++i) {
-      const BatchSlot& slot = batch_.slots[i];
-      if (slot.done && slot.has_tensions) references_.take_off(evaluated(slot), part_.references);
-    }
-  }
-
   // True if a pruned search would not make this routing; it then counts for nothing.
   bool fails_by_parts(const BatchSlot& slot) const {
     return slot.failed_constraint > 0 && slot.failed_constraint <= deciding_parts_;
   }
 
-  static EvaluatedRouting evaluated(const BatchSlot& slot) {
-    return {slot.routing, slot.values, slot.failed_constraint};
-  }
-
-  void collect(std::size_t done) {
-    for (std::size_t i = 0; i < done; ++i) {
+  // Blocks are not worked off in their order: what was done behind the first that was not does not
+  // count.
+  void collect() {
+    for (std::size_t i = 0; i < batch_.actuated; ++i) {
       const BatchSlot& slot = batch_.slots[i];
+      if (!slot.done) {
+        generated_ = slot.place - range_.begin;
+        return;
+      }
       if (!fails_by_parts(slot)) part_.unconverged += slot.unconverged;
       ++given_;
       if (!slot.has_tensions && slot.failed_constraint == 0) {
@@ -374,8 +384,7 @@ class Exploration {
         continue;
       }
       ++part_.evaluated;
-      if (slot.has_tensions && checkpoint_.design)
-        checkpoint_.design({slot.place, slot.word, slot.all_values});
+      if (slot.has_tensions) count(slot);
       if (slot.failed_constraint > 0) ++part_.constraint_failures[slot.failed_constraint - 1];
       const ObjectiveValues& values = keeps_ ? slot.all_values : slot.values;
       if (slot.may_rank) part_.archive.add({slot.word, values});
@@ -384,17 +393,20 @@ class Exploration {
     }
   }
 
+  void count(const BatchSlot& slot) {
+    references_.count(slot.routing, slot.values, slot.failed_constraint, part_.references);
+    if (slot.failed_constraint > 0 && tells_reaches_) {
+      part_.reaches.add(options_.constraints, slot.values);
+    }
+    if (checkpoint_.design) checkpoint_.design({slot.place, slot.word, slot.all_values});
+  }
+
   // May be called at any time between batches.
   void add_up() {
     part_.generated = generated_;
     if (left_out_) left_out_->add_to(part_, generated_, std::exchange(given_, 0));
     const auto elapsed = std::chrono::steady_clock::now() - start_;
     part_.seconds = seconds_before_ + std::chrono::duration<double>(elapsed).count();
-    if (tells_reaches_) {
-      part_.reaches = ConstraintReaches(options_.constraints.size());
-      for (const ConstraintReaches& reaches : reaches_) part_.reaches.add(reaches);
-    }
-    references_.add_up(part_.references);
   }
 
   const ExploreOptions& options_;
@@ -414,13 +426,12 @@ class Exploration {
   std::optional<ExplorationPart> seen_;  // kept designs of the pieces before
   const std::atomic<bool>* stop_ = nullptr;
   std::vector<DecidingEvaluator> evaluators_;
-  std::vector<DesignEvaluator> whole_;      // one for each worker, for a store
-  std::vector<ConstraintReaches> reaches_;  // one for each worker
-  Batch batch_;                             // the batch being evaluated
-  Batch next_;                              // the batch being generated meanwhile
-  std::uint64_t filled_ = 0;                // routings generated
-  std::uint64_t generated_ = 0;             // … up to the last that was evaluated
-  std::uint64_t given_ = 0;                 // evaluated since what is left out was counted
+  std::vector<DesignEvaluator> whole_;  // one for each worker, for a store
+  Batch batch_;                         // the batch being evaluated
+  Batch next_;                          // the batch being generated meanwhile
+  std::uint64_t filled_ = 0;            // routings generated
+  std::uint64_t generated_ = 0;         // … up to the last that was evaluated
+  std::uint64_t given_ = 0;             // evaluated since what is left out was counted
 };
 
 // An exploration that owns the options that it refers to.

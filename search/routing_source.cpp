@@ -62,12 +62,6 @@ bool RoutingSource::leave_out_unwanted(const Hardware& hardware, IsWanted is_wan
   return leaves_out_unwanted_;
 }
 
-RoutingSource::Counts RoutingSource::counts_before(std::uint64_t place) {
-  const std::vector<std::uint64_t> verdicts = limited_->verdicts_before(place);
-  return {verdicts[within_limits],
-          {verdicts.begin() + static_cast<std::ptrdiff_t>(failing(0)), verdicts.end()}};
-}
-
 std::optional<RoutingSource::LeftOutPlace> RoutingSource::place_left_out(const Routing& routing) {
   if (!prunes_) return std::nullopt;
   const std::size_t verdict = limited_->verdict(routing);

@@ -45,11 +45,10 @@ class RoutingSource {
   bool leaves_out() const { return prunes_ || leaves_out_unwanted_; }
 
   // Routings before a place. Quick behind places passed already; elsewhere as slow as a seek.
-  struct Counts {
-    std::uint64_t within = 0;             // actuated, and meeting the pruning constraints
-    std::vector<std::uint64_t> rejected;  // by the pruning constraint that is the first to reject
-  };
-  Counts counts_before(std::uint64_t place);
+  // Counted by verdict (limits/part_classes.hpp) on the pruning constraints.
+  std::vector<std::uint64_t> verdicts_before(std::uint64_t place) {
+    return limited_->verdicts_before(place);
+  }
 
   struct LeftOutPlace {
     std::uint64_t place = 0;

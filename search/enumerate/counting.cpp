@@ -98,35 +98,6 @@ std::uint64_t labelled_loops(const Choices& c, int k) {
   return walks == 0 ? 0 : times(walks, factorial(k - 1) / 2);
 }
 
-// ways[r] counts the multisets of the sizes seen so far.
-std::vector<std::uint64_t> multisets(const TendonCounts& tendons, int largest) {
-  const std::size_t fingers = tendons.size() - 1;
-  std::vector<std::uint64_t> ways(fingers + 1, 0);
-  ways[0] = 1;
-  for (std::size_t size = 1; size <= static_cast<std::size_t>(largest); ++size) {
-    for (std::size_t r = fingers; r >= size; --r) {
-      for (std::size_t many = 1; many * size <= r; ++many) {
-        const std::uint64_t choices = multichoose(tendons[size], many);
-        ways[r] = plus(ways[r], times(choices, ways[r - many * size]));
-      }
-    }
-  }
-  return ways;
-}
-
-// The tendon of the first finger takes k - 1 of the others; the rest is counted the same way.
-std::vector<std::uint64_t> labelled_sets(const TendonCounts& tendons, int largest) {
-  std::vector<std::uint64_t> ways{1};
-  for (std::size_t n = 1; n < tendons.size(); ++n) {
-    std::uint64_t sum = 0;
-    for (std::size_t k = 1; k <= std::min(n, static_cast<std::size_t>(largest)); ++k) {
-      sum = plus(sum, times(times(binomial(n - 1, k - 1), tendons[k]), ways[n - k]));
-    }
-    ways.push_back(sum);
-  }
-  return ways;
-}
-
 TendonCounts tendon_counts(const PowerChoices& all, std::size_t p, int fingers,
                            FingerIdentity identity) {
   const Choices& c = all.at(p);
@@ -273,8 +244,13 @@ TendonCounts tendon_counts(const PartSet& parts, int fingers, FingerIdentity ide
 
 std::vector<std::uint64_t> tendon_sets(const TendonCounts& tendons, int largest,
                                        FingerIdentity identity) {
-  return identity == FingerIdentity::identical ? multisets(tendons, largest)
-                                               : labelled_sets(tendons, largest);
+  const int fingers = static_cast<int>(tendons.size()) - 1;
+  SizeTable trees({fingers, 0});
+  for (int n = 1; n <= largest; ++n) trees[{n, 0}] = tendons[static_cast<std::size_t>(n)];
+  const TreeSets sets(trees, identity);
+  std::vector<std::uint64_t> ways;
+  for (int n = 0; n <= fingers; ++n) ways.push_back(sets.count({n, 0}));
+  return ways;
 }
 
 RoutingCounts count_routings(const PartSet& parts, int fingers, FingerIdentity identity) {

@@ -144,12 +144,8 @@ DecidingEvaluator::DecidingEvaluator(const Model& model, const GraspSet& grasps,
                                      std::vector<Objective> wanted)
     : wanted_(with_terms(std::move(wanted), score)),
       score_(score),
-      prices_(prices),
       extent_(scope_for(wanted_, score)),
       scored_(contains(wanted_, Objective::score)),
-      compares_fingers_(contains(wanted_, Objective::finger_uniformity_mean) ||
-                        contains(wanted_, Objective::finger_uniformity_worst)),
-      grasps_(grasps),
       whole_(model, grasps, score, prices) {
   if (!whole_.has_hand()) extent_.hand = false;
   // A single grasp is solved as quickly as the states of a tree.
@@ -157,8 +153,8 @@ DecidingEvaluator::DecidingEvaluator(const Model& model, const GraspSet& grasps,
   const bool may_combine = are_of_strands(extent_) && share;
   if (may_combine && LoadedTrees::can_bound(model)) loaded_.emplace(model, grasps);
   if (may_combine && routings_share_states(model)) {
+    whole_.share_trees();
     const Hardware hardware = possible_hardware(model);
-    known_.emplace(hardware);
     const double sheath = hardware.sheath.exponent();
     outliner_.emplace(grasps, std::exp(-sheath));
     greatest_exponent_ = std::max({sheath, hardware.tube.exponent(), hardware.bearing.exponent(),
@@ -167,88 +163,10 @@ DecidingEvaluator::DecidingEvaluator(const Model& model, const GraspSet& grasps,
   for (const Objective objective : wanted_) {
     if (contains(of_parts, objective)) of_parts_.push_back(objective);
   }
-  estimates_ =
-      (known_ || loaded_) && std::all_of(wanted_.begin(), wanted_.end(), [](Objective objective) {
-        return contains(of_parts, objective) || contains(of_sums, objective);
-      });
-}
-
-// Motor tension of the trees as they are solved alone.
-double DecidingEvaluator::scale(bool jams) const {
-  double motor = 0;
-  for (const SolvedTree& state : states_) {
-    if (jams && !state.jams) continue;
-    for (const double tension : state.motor_side) motor += tension;
-  }
-  return motor;
-}
-
-FingerPulls DecidingEvaluator::finger_pulls_at(double motor, bool jams) const {
-  FingerPulls pulls{std::numeric_limits<double>::infinity(), 0};
-  for (std::size_t t = 0; t < states_.size(); ++t) {
-    const SolvedTree& state = states_[t];
-    FingerArray pull{};
-    for (std::size_t i = 0; i < state.strand.size() && !(jams && !state.jams); ++i) {
-      pull[(*trees_)[t]->strand_finger[i]] += state.strand[i] / motor;
-    }
-    for (int f = 0; f < spans_[t].fingers; ++f) {
-      pulls.least = std::min(pulls.least, pull[static_cast<std::size_t>(f)]);
-      pulls.greatest = std::max(pulls.greatest, pull[static_cast<std::size_t>(f)]);
-    }
-  }
-  return pulls;
-}
-
-// Strand by strand, as core/performance does.
-Performance DecidingEvaluator::performance_at(double motor, bool jams) const {
-  StrandTally tally;
-  for (const SolvedTree& state : states_) {
-    const bool slack = jams && !state.jams;
-    for (std::size_t i = 0; i < state.strand.size(); ++i) {
-      tally.add(slack ? 0 : state.strand[i] / motor, state.closing[i]);
-    }
-  }
-  return performance(tally, compares_fingers_ ? finger_pulls_at(motor, jams) : FingerPulls{});
-}
-
-bool DecidingEvaluator::combine(const WeightedGrasp& grasp, GraspOutcome& outcome) {
-  states_.clear();
-  outcome.weight = grasp.weight;
-  outcome.jams = false;
-  for (std::size_t t = 0; t < spans_.size(); ++t) {
-    states_.push_back((*trees_)[t]->in_state(held_in_tree(spans_[t], grasp.grasp)));
-    if (!states_.back().in_range) return false;
-    outcome.jams |= states_.back().jams;
-  }
-  const double motor = scale(outcome.jams);
-  outcome.pull = performance_at(motor, outcome.jams);
-  return std::isnormal(motor);
-}
-
-// Returns the same value as DesignEvaluator.
-double DecidingEvaluator::travel() const {
-  double strands = 0;
-  double motor_sides = 0;
-  double closing = 0;
-  bool jams = false;
-  for (const SolvedTrees* tree : *trees_) {
-    const SolvedTree state = tree->in_state(0);
-    strands += static_cast<double>(state.strand.size());
-    motor_sides += static_cast<double>(state.motor_side.size());
-    for (const double way : state.closing) closing += way;
-    jams |= state.jams;
-  }
-  if (strands == 0) return 0;
-  if (outcome_.parts.blocks + outcome_.parts.bars == 0 && !jams) return strands / motor_sides;
-  return strands / (jams ? 0 : closing);
-}
-
-double DecidingEvaluator::tendon_length() const {
-  double sum = 0;
-  for (const SolvedTrees* tree : *trees_) {
-    sum = std::accumulate(tree->length.begin(), tree->length.end(), sum);
-  }
-  return sum;
+  estimates_ = (outliner_ || loaded_) &&
+               std::all_of(wanted_.begin(), wanted_.end(), [](Objective objective) {
+                 return contains(of_parts, objective) || contains(of_sums, objective);
+               });
 }
 
 std::optional<Estimate> DecidingEvaluator::estimate(const RoutingBeginning& beginning) {
@@ -301,42 +219,13 @@ std::optional<Estimate> DecidingEvaluator::estimate(const Routing& routing) {
     outcome_.parts = bounds->parts;
     return enclosed(bounds->at_best, bounds->at_worst);
   }
-  beginning_.trees = known_->outlines(routing, spans_);
-  return beginning_.trees.empty() ? std::nullopt : estimate(beginning_);
-}
-
-// Returns the same as JamFinder::grasps.
-double DecidingEvaluator::jams_all() const {
-  double moving = 1;
-  int fingers = 0;
-  for (std::size_t t = 0; t < spans_.size(); ++t) {
-    moving *= (*trees_)[t]->moving_sets;
-    fingers += spans_[t].fingers;
-  }
-  return std::ldexp(1.0, fingers) - 1 - moving;
-}
-
-// False where that cannot be, or where a figure leaves the range of a double.
-bool DecidingEvaluator::combine(const Routing& routing) {
-  if (!split_into_trees(routing, spans_)) return false;
-  trees_ = &known_->states(routing, spans_);
-  if (trees_->empty()) return false;
-  outcome_.grasps.resize(grasps_.size());
-  for (std::size_t g = 0; g < grasps_.size(); ++g) {
-    if (!combine(grasps_[g], outcome_.grasps[g])) return false;
-  }
-  outcome_.parts = {};
-  for (const SolvedTrees* tree : *trees_) outcome_.parts += tree->outline.parts;
-  outcome_.travel = travel();
-  outcome_.jams_all = jams_all();
-  if (prices_) outcome_.cost = cost(outcome_.parts, tendon_length(), *prices_);
-  return true;
+  beginning_.trees = whole_.shared_states().outlines(routing, spans_);
+  return estimate(beginning_);
 }
 
 ObjectiveValues DecidingEvaluator::evaluate(const Routing& routing) {
   ObjectiveValues values{};
-  const bool combined = known_ && combine(routing);
-  compute_objectives(combined ? outcome_ : whole_.outcome(routing, extent_), wanted_, values);
+  compute_objectives(whole_.outcome(routing, extent_), wanted_, values);
   if (scored_) add_score(score_, values);
   return values;
 }

@@ -2,12 +2,9 @@
 //
 // Equal, bit for bit, to those that DesignEvaluator gives. Where all fingers are alike, no effect
 // of the model depends on tensions or contacts, and grasps hold one finger at most, each tree of a
-// routing is solved once and a routing is put together from its trees (known_trees.hpp):
-//
-//   T_i = t_i / Σ t_j,  j: all motor-side segments
-//
-// with sums in the order of the routing's segments, as they would be without that. Otherwise, and
-// where objectives need more than what the strands do, every routing is solved as a whole.
+// routing is solved once and a routing is put together from its trees (shared_states.hpp).
+// Otherwise, and where objectives need more than what the strands do, every routing is solved as a
+// whole.
 //
 // Most designs are far from anything that is kept, and a few sums of their trees, or of those that
 // they begin with (routing_beginning.hpp), are enough to know it.
@@ -18,9 +15,7 @@
 
 #include "core/grasp.hpp"
 #include "search/evaluate/evaluation.hpp"
-#include "search/evaluate/known_trees.hpp"
 #include "search/evaluate/loaded_trees.hpp"
-#include "search/evaluate/outlined_performance.hpp"
 #include "search/evaluate/routing_beginning.hpp"
 #include "search/evaluate/tree_spans.hpp"
 
@@ -74,51 +69,33 @@ class DecidingEvaluator {
 
   // True if routings are put together from trees, and no more is wanted than uniformity, efficiency
   // and parts.
-  bool estimates_beginnings() const { return estimates_ && known_.has_value(); }
+  bool estimates_beginnings() const { return estimates_ && outliner_.has_value(); }
   // Bounds all routings that begin so. Returns nothing without estimates.
   std::optional<Estimate> estimate(const RoutingBeginning& beginning);
   // Also where friction depends on the load (loaded_trees.hpp).
   std::optional<Estimate> estimate(const Routing& routing);
 
-  bool combines() const { return known_.has_value(); }
-  // Trees solved so far; 0 where routings are solved as a whole.
-  std::uint64_t trees_solved() const { return known_ ? known_->solved() : 0; }
   // Returns the same number as DesignEvaluator.
   std::size_t unconverged() const { return whole_.unconverged(); }
 
  private:
   Estimate enclosed(const OutlinedPerformance& at_best, const OutlinedPerformance& at_worst) const;
-  bool combine(const Routing& routing);
-  bool combine(const WeightedGrasp& grasp, GraspOutcome& outcome);
-  double scale(bool jams) const;
-  Performance performance_at(double motor, bool jams) const;
-  FingerPulls finger_pulls_at(double motor, bool jams) const;
-  double travel() const;
-  double jams_all() const;
-  void add_parts();
-  double tendon_length() const;
 
   std::vector<Objective> wanted_;
   Score score_;
-  std::optional<PartPrices> prices_;
   EvaluationScope extent_;
   bool scored_ = false;
-  bool compares_fingers_ = false;
   bool estimates_ = false;
   double greatest_exponent_ = 0;     // of any contact
   std::vector<Objective> of_parts_;  // wanted objectives that count parts
-  GraspSet grasps_;
   DesignEvaluator whole_;
-  std::optional<KnownTrees> known_;
-  std::optional<PerformanceOutliner> outliner_;
+  std::optional<PerformanceOutliner> outliner_;  // where routings share trees
   std::optional<LoadedTrees> loaded_;
 
   // State of the current routing.
   std::vector<TreeSpan> spans_;
-  const std::vector<const SolvedTrees*>* trees_ = nullptr;
-  std::vector<SolvedTree> states_;  // states of its trees in one grasp
   RoutingBeginning beginning_;
-  DesignOutcome outcome_;
+  DesignOutcome outcome_;  // its parts alone
 };
 
 }  // namespace reeve::search

@@ -35,10 +35,6 @@ EvaluationScope scope_for(const std::vector<Objective>& objectives, const Score&
           counts(Objective::uniformity_p5) || counts(Objective::efficiency_p5)};
 }
 
-bool may_not_converge(const Model& model) {
-  return reaches(model, Reach::contact) || changes_exponents(model);
-}
-
 namespace {
 
 // Tendons without a strand, which give nothing up.
@@ -78,7 +74,7 @@ DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps, Score scor
       score_(std::move(score)),
       prices_(std::move(prices)) {
   if (hand_) require_carriages_that_pull(grasps_);
-  if (search::may_not_converge(model)) model_solver_.emplace(*model_);
+  if (reaches(model, Reach::contact) || changes_exponents(model)) model_solver_.emplace(*model_);
 }
 
 void DesignEvaluator::share_trees() {
@@ -145,11 +141,13 @@ double DesignEvaluator::travel() {
   if (network_.blocks.empty() && !network_.shared && !blocks_the_carriage(network_)) {
     return strands / motor_sides;
   }
-  kinematics_.solve(network_, mechanics_, Grasp{}, Direction::pull, motion_);
+  const bool is_known = is_shared_ && shared_->solve(Grasp{}, Direction::pull, state_);
+  if (!is_known) kinematics_.solve(network_, mechanics_, Grasp{}, Direction::pull, motion_);
+  const std::vector<double>& closing_of = is_known ? state_.closing : motion_.closing;
   double closing = 0;
   for (const Segment& segment : network_.segments) {
     if (segment.kind != SegmentKind::strand) continue;
-    closing += segment.way() * motion_.closing[static_cast<std::size_t>(segment.finger - 1)];
+    closing += segment.way() * closing_of[static_cast<std::size_t>(segment.finger - 1)];
   }
   return strands / closing;
 }
@@ -216,6 +214,10 @@ void DesignEvaluator::set_routing(const Routing& routing) {
   }
 }
 
+double DesignEvaluator::jams() {
+  return is_shared_ ? shared_->jams() : jam_finder_.grasps(moving_network(), moving_mechanics());
+}
+
 // A model that changes exponents does so with the drawn ones, too.
 ContactQuantiles DesignEvaluator::contact_quantiles() {
   builder_.deviations(network_, deviations_);
@@ -248,7 +250,7 @@ void DesignEvaluator::find_outcome(const Routing& routing, const EvaluationScope
   outcome_.parts = parts(network_);
   outcome_.travel = travel();
   if (prices_) outcome_.cost = cost(outcome_.parts, tendon_length(mechanics_), *prices_);
-  outcome_.jams_all = scope.jamming ? jam_finder_.grasps(moving_network(), moving_mechanics()) : 0;
+  outcome_.jams_all = scope.jamming ? jams() : 0;
   outcome_.where_contacts_scatter = scope.contacts ? contact_quantiles() : ContactQuantiles{};
   outcome_.hand = evaluates_hand(scope) ? hand_outcome() : HandOutcome{};
 }

@@ -40,9 +40,6 @@ struct EvaluationScope {
 // Returns the scope that these objectives need; the score needs that of its terms.
 EvaluationScope scope_for(const std::vector<Objective>& objectives, const Score& score);
 
-// True if a tension solve with this model can fail to converge at all.
-bool may_not_converge(const Model& model);
-
 // Keeps its memory: evaluating routing after routing allocates nothing in the steady state.
 // One for each thread. (With a seized contact, evaluating allocates.)
 class DesignEvaluator {
@@ -55,6 +52,8 @@ class DesignEvaluator {
   // Solves each tree of tendons once, if model and grasps allow it. This helps if many routings
   // share trees. The values stay the same, bit for bit.
   void share_trees();
+  // Requires shared trees.
+  SharedStates& shared_states() { return *shared_; }
 
   // The outcome is valid until the next call. Throws OutOfRange that names routing and grasp where
   // the model has no tensions.
@@ -74,8 +73,6 @@ class DesignEvaluator {
   // Solves so far that did not converge: friction that depends on the tension, and forces that eat
   // nearly all of it. Their figures are then approximate.
   std::size_t unconverged() const { return unconverged_; }
-  // True if a solve can fail to converge at all.
-  bool may_not_converge() const { return model_solver_.has_value(); }
 
  private:
   void set_routing(const Routing& routing);
@@ -86,6 +83,7 @@ class DesignEvaluator {
   const TensionState& solve(Grasp grasp, Direction direction);
   const Mechanics& solved_mechanics();  // of the last solve
   double travel();
+  double jams();  // in all grasps
   bool evaluates_hand(const EvaluationScope& scope) const;
   GripDemand grip(const TensionState& pulled, Grasp grasp);
   HandOutcome hand_outcome();

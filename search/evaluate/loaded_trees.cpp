@@ -110,19 +110,10 @@ LoadedTrees::Tree& LoadedTrees::find(const Routing& routing, const TreeSpan& spa
 }
 
 TreeSums LoadedTrees::solve(Tree& tree, Grasp grasp, Prescribed prescribed, double unit_N) const {
-  const Network& network = tree.solver->network();
   const TensionState& state =
       tree.solver->solve_from_last(grasp, prescribed, unit_N, model_->conditions);
-  TreeSums sums;
-  sums.jams = state.jams;
-  sums.in_range = state.in_range && tree.solver->converged();
-  for (std::size_t i = 0; i < network.segments.size(); ++i) {
-    const Segment& segment = network.segments[i];
-    const double tension_N = unit_N * state.tension[i];
-    if (segment.kind == SegmentKind::motor_side) sums.motor += tension_N;
-    if (segment.kind != SegmentKind::strand) continue;
-    sums.strands.add(tension_N, state.closing[static_cast<std::size_t>(segment.finger - 1)]);
-  }
+  TreeSums sums = sums_of(tree.solver->network(), state, unit_N);
+  sums.in_range &= tree.solver->converged();
   return sums;
 }
 

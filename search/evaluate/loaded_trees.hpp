@@ -27,7 +27,7 @@
 #include "core/mechanics.hpp"
 #include "core/network.hpp"
 #include "core/performance.hpp"
-#include "search/evaluate/outlined_performance.hpp"
+#include "search/evaluate/routing_beginning.hpp"
 #include "search/evaluate/tree_spans.hpp"
 
 namespace reeve::search {
@@ -60,9 +60,6 @@ class LoadedTrees {
     int first = 0;            // number of the take-up of the first node
     std::vector<Node> nodes;  // empty if not solved yet
   };
-  struct HashKey {
-    std::size_t operator()(const TreeKey& key) const { return hash(key); }
-  };
   struct Enclosure {
     TreeSums low;   // at z_j
     TreeSums high;  // at z_{j+1}
@@ -84,7 +81,7 @@ class LoadedTrees {
   Routing part_;
   Network network_;
   Mechanics mechanics_;
-  std::unordered_map<TreeKey, Tree, HashKey> known_;
+  std::unordered_map<TreeKey, Tree, TreeKey::Hash> known_;
   // A tree with more than half of a routing's fingers: one stays while those beside it change.
   TreeKey greatest_key_;
   Tree greatest_;

@@ -202,6 +202,11 @@ std::vector<std::string> names_for_objectives() {
   return names;
 }
 
+void compute(const ObjectiveRow& row, const DesignOutcome& outcome, ObjectiveValues& values) {
+  const bool is_there = row.compute != nullptr && (outcome.hand.stroke_mm > 0 || !row.of_hand);
+  value(values, row.objective) = is_there ? on_grid(row.compute(outcome)) : 0;
+}
+
 }  // namespace
 
 MotorArray motor_forces(const DesignOutcome& design) {
@@ -224,21 +229,12 @@ const std::array<ObjectiveRow, objective_count>& objective_table() { return tabl
 const ObjectiveRow& row(Objective objective) { return table[static_cast<std::size_t>(objective)]; }
 
 void compute_objectives(const DesignOutcome& outcome, ObjectiveValues& values) {
-  const bool has_hand = outcome.hand.stroke_mm > 0;
-  for (std::size_t i = 0; i < objective_count; ++i) {
-    const bool is_computed = table[i].compute != nullptr && (has_hand || !table[i].of_hand);
-    values[i] = is_computed ? on_grid(table[i].compute(outcome)) : 0;
-  }
+  for (const ObjectiveRow& row : table) compute(row, outcome, values);
 }
 
 void compute_objectives(const DesignOutcome& outcome, const std::vector<Objective>& objectives,
                         ObjectiveValues& values) {
-  const bool has_hand = outcome.hand.stroke_mm > 0;
-  for (const Objective objective : objectives) {
-    const ObjectiveRow& wanted = row(objective);
-    if (wanted.compute == nullptr || (wanted.of_hand && !has_hand)) continue;
-    value(values, objective) = on_grid(wanted.compute(outcome));
-  }
+  for (const Objective objective : objectives) compute(row(objective), outcome, values);
 }
 
 Objective parse_objective(const std::string& name, const std::string& option) {

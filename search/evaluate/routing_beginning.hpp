@@ -10,6 +10,8 @@
 // are equal but for rounding.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "search/evaluate/tree_spans.hpp"
@@ -20,6 +22,26 @@ struct RoutingBeginning {
   std::vector<const TreeOutline*> trees;  // in the order of the routing
   int open = 0;                           // number of fingers on other trees, behind these
   double most_motor_tension = 0;          // M
+};
+
+// Uniformity and motor efficiency over the grasps, as bounds give them.
+struct OutlinedValue {
+  double uniformity = 0;
+  double efficiency = 0;
+};
+
+struct OutlinedPerformance {
+  OutlinedValue mean;
+  OutlinedValue worst{std::numeric_limits<double>::infinity(),
+                      std::numeric_limits<double>::infinity()};
+
+  // `share` is that of the grasp's weight.
+  void add(double share, const OutlinedValue& value) {
+    mean.uniformity += share * value.uniformity;
+    mean.efficiency += share * value.efficiency;
+    worst.uniformity = std::min(worst.uniformity, value.uniformity);
+    worst.efficiency = std::min(worst.efficiency, value.efficiency);
+  }
 };
 
 }  // namespace reeve::search

@@ -115,7 +115,7 @@ TreeSums& TreeSums::operator+=(const TreeSums& other) {
   return *this;
 }
 
-std::uint64_t hash(const TreeKey& key) {
+std::size_t TreeKey::Hash::operator()(const TreeKey& key) const {
   // Odd multipliers, and the high half onto the low one: D. Knuth, TAOCP 3, section 6.4.
   std::uint64_t sum = 0;
   for (const std::uint64_t word : key.bits) {

@@ -15,7 +15,7 @@
 
 namespace reeve::search {
 
-// Sums that a tree's state adds to a routing (t_i: known_trees.hpp). They suffice to see that a
+// Sums that a tree's state adds to a routing (t_i: shared_states.hpp). They suffice to see that a
 // design is far from the kept ones.
 struct TreeSums {
   bool jams = false;
@@ -41,9 +41,11 @@ struct TreeKey {
   std::array<std::uint64_t, words> bits{};
 
   friend bool operator==(const TreeKey&, const TreeKey&) = default;
-};
 
-std::uint64_t hash(const TreeKey& key);
+  struct Hash {
+    std::size_t operator()(const TreeKey& key) const;
+  };
+};
 
 struct TreeSpan {
   std::size_t begin = 0;  // index into the routing's tendons

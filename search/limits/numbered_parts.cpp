@@ -46,8 +46,7 @@ NumberedParts::Sort NumberedParts::multisets(Sort of, int many) {
 }
 
 NumberedParts::Sort NumberedParts::with(Sort sort, PartClass parts) {
-  return add({Form::with, {sort}, {parts}, 0, 0, {}},
-             shifted(classes_, nodes_[sort].counts, parts));
+  return both(sort, kinds({parts}));
 }
 
 NumberedParts::Sort NumberedParts::trees(Sort sort) {
@@ -79,8 +78,6 @@ PartClass NumberedParts::parts_of(Sort sort, std::uint64_t index) const {
     }
     case Form::multisets:
       return parts_of(Choice{node.of[0], node.many, size(node.of[0])}, index);
-    case Form::with:
-      return classes_.plus(parts_of(node.of[0], index), node.parts[0]);
     case Form::trees:
       return classes_.of_tree(parts_of(node.of[0], index));
   }
@@ -130,8 +127,6 @@ ClassCounts NumberedParts::counts_before(Sort sort, std::uint64_t index) const {
       return counts_before_of_both(node, index);
     case Form::multisets:
       return counts_before(Choice{node.of[0], node.many, size(node.of[0])}, index);
-    case Form::with:
-      return shifted(classes_, counts_before(node.of[0], index), node.parts[0]);
     case Form::trees:
       return of_trees(classes_, counts_before(node.of[0], index));
   }

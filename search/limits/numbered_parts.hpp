@@ -54,11 +54,11 @@ class NumberedParts {
   }
 
  private:
-  enum class Form : std::uint8_t { kinds, one_after_the_other, both, multisets, with, trees };
+  enum class Form : std::uint8_t { kinds, one_after_the_other, both, multisets, trees };
   struct Node {
     Form form{};
     std::vector<Sort> of;
-    std::vector<PartClass> parts;  // class of each kind, or the class that is added
+    std::vector<PartClass> parts;  // class of each kind
     int many = 0;
     std::uint64_t size = 0;
     ClassCounts counts;

@@ -121,11 +121,6 @@ std::optional<NumberedParts::Found> NumberedParts::first(Sort sort, std::uint64_
       return first_of_both(sort, from, beside, of);
     case Form::multisets:
       return first_of_choice({node.of[0], node.many, size(node.of[0])}, from, beside, of);
-    case Form::with: {
-      auto found = first(node.of[0], from, classes_.plus(beside, node.parts[0]), of);
-      if (found) found->parts = classes_.plus(found->parts, node.parts[0]);
-      return found;
-    }
     case Form::trees: {
       auto found = first(node.of[0], from, PartClasses::none, of_trees_alone(beside, of));
       if (found) found->parts = classes_.of_tree(found->parts);

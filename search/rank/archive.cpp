@@ -42,13 +42,6 @@ bool Archive::has_enough_dominators(Eigen::Index rows, const Goodness& candidate
   return count_dominators(guards_, rows, candidate, enough) + beaten >= enough;
 }
 
-SweepCounter Archive::counter() const {
-  std::vector<double> values;
-  if (!sweeps()) return SweepCounter({});
-  for (const Place& entry : entries_) values.push_back(second_value(entry->goodness));
-  return SweepCounter(std::move(values));
-}
-
 // Sorts the entries added since the last call, then merges them with the others.
 void Archive::sort_entries() {
   const auto precedes = [this](const Place& a, const Place& b) {
@@ -62,7 +55,7 @@ void Archive::sort_entries() {
 
 void Archive::compact() {
   if (compacted_ == entries_.size()) return;
-  SweepCounter better = counter();
+  KGreatest seconds(keep_);
   sort_entries();
   const auto enough = static_cast<Eigen::Index>(keep_);
   // Resizes in two steps: if memory runs out, a direct resize would leave a matrix that is freed
@@ -81,11 +74,11 @@ void Archive::compact() {
       last->equals_left_out += entry.equals_left_out + 1;
       continue;
     }
-    if (sweeps() ? better.not_less(second_value(entry.goodness)) >= enough
+    if (sweeps() ? seconds.has_all_above(second_value(entry.goodness))
                  : has_enough_dominators(kept, entry.goodness, equals)) {
       continue;
     }
-    if (sweeps()) better.add(second_value(entry.goodness));
+    if (sweeps()) seconds.add(second_value(entry.goodness));
     guards_.row(kept) = entry.goodness.transpose();
     Place& slot = entries_[static_cast<std::size_t>(kept)];
     if (&slot != &place) slot = std::move(place);

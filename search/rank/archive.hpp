@@ -77,7 +77,6 @@ class Archive {
   bool has_enough_dominators(Eigen::Index rows, const Goodness& candidate,
                              Eigen::Index beaten) const;
   bool sweeps() const { return order_.objectives.size() <= 2; }
-  SweepCounter counter() const;
   void sort_entries();
   void compact();
   void place_guards();

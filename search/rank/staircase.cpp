@@ -4,7 +4,6 @@
 #include <functional>
 #include <limits>
 #include <numeric>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -35,44 +34,18 @@ Eigen::Index coarsest(const GoodnessMatrix& rows) {
   return best;
 }
 
-// The k greatest of what it has seen.
-class KGreatest {
- public:
-  explicit KGreatest(std::size_t keep) : keep_(keep) {}
-
-  void add(double value) {
-    if (heap_.size() == keep_ && value <= heap_.top()) return;
-    if (heap_.size() == keep_) heap_.pop();
-    heap_.push(value);
-  }
-  double least() const { return heap_.size() < keep_ ? nothing : heap_.top(); }
-
- private:
-  std::size_t keep_;
-  std::priority_queue<double, std::vector<double>, std::greater<>> heap_;
-};
-
 }  // namespace
 
-SweepCounter::SweepCounter(std::vector<double> values) : falling_(std::move(values)) {
-  std::sort(falling_.begin(), falling_.end(), std::greater<>());
-  falling_.erase(std::unique(falling_.begin(), falling_.end()), falling_.end());
-  sums_.assign(falling_.size() + 1, 0);
+void KGreatest::add(double value) {
+  if (heap_.size() == keep_ && value <= heap_.top()) return;
+  if (heap_.size() == keep_) heap_.pop();
+  heap_.push(value);
 }
 
-std::size_t SweepCounter::rank(double value) const {
-  const auto place = std::upper_bound(falling_.begin(), falling_.end(), value, std::greater<>());
-  return static_cast<std::size_t>(place - falling_.begin());
-}
+double KGreatest::least() const { return heap_.size() < keep_ ? nothing : heap_.top(); }
 
-void SweepCounter::add(double value) {
-  for (std::size_t i = rank(value); i < sums_.size(); i += i & (~i + 1)) ++sums_[i];
-}
-
-Eigen::Index SweepCounter::not_less(double value) const {
-  Eigen::Index sum = 0;
-  for (std::size_t i = rank(value); i > 0; i -= i & (~i + 1)) sum += sums_[i];
-  return sum;
+bool KGreatest::has_all_above(double value) const {
+  return heap_.size() == keep_ && heap_.top() >= value;
 }
 
 bool Staircase::can_hold(const GoodnessMatrix& rows) {

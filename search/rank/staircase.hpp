@@ -17,6 +17,8 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <functional>
+#include <queue>
 #include <vector>
 
 #include "numerics/floors.hpp"
@@ -24,23 +26,24 @@
 
 namespace reeve::search {
 
-// Counts dominators for at most two objectives, in O(log n) a row, of rows that come best first:
-// whatever came before a row is no worse in the first objective, so that only second values need to
-// be counted.
-class SweepCounter {
+// The k greatest of the values that were added.
+//
+// It counts dominators for at most two objectives, of rows that come best first: whatever came
+// before a row is no worse in the first objective, so that only second values need to be counted.
+class KGreatest {
  public:
-  // All second values that will come.
-  explicit SweepCounter(std::vector<double> values);
+  // keep >= 1
+  explicit KGreatest(std::size_t keep) : keep_(keep) {}
 
   void add(double value);
-  // Values added so far that are not less.
-  Eigen::Index not_less(double value) const;
+  // The least of them; −∞ if fewer were added.
+  double least() const;
+  // True if there are k, none less than this value.
+  bool has_all_above(double value) const;
 
  private:
-  std::size_t rank(double value) const;  // rank 1 is the greatest
-
-  std::vector<double> falling_;
-  std::vector<Eigen::Index> sums_;  // a Fenwick tree over the ranks (P. Fenwick, 1994)
+  std::size_t keep_;
+  std::priority_queue<double, std::vector<double>, std::greater<>> heap_;
 };
 
 class Staircase {

@@ -51,11 +51,10 @@ TEST_F(Allocation, HappensInNoEvaluationOnceTheEvaluatorIsWarm) {
   expect_no_allocation_once_warm(Model{}, routings);
 }
 
-TEST_F(Allocation, DoesNotHappenWhenKnownTreesAreCombined) {
+TEST_F(Allocation, DoesNotHappenWhenKnownTreesAreSolved) {
   const std::vector<Routing> routings = actuated();
   DecidingEvaluator evaluator({}, single_grasps(4), authors_score(), std::nullopt,
                               {Objective::uniformity_mean, Objective::efficiency_mean});
-  ASSERT_TRUE(evaluator.combines());
   double sum = 0;
   const auto pass = [&] {
     for (const Routing& routing : routings) {

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -83,7 +81,6 @@ void expect_same_values(const Case& c, DecidingEvaluator& fast, const Objectives
 TEST(DecidingEvaluation, CombinesTreesToTheSameNumbers) {
   for (const Case& c : combined_cases()) {
     DecidingEvaluator fast(c.model, c.grasps, authors_score(), some_prices(), of_strands);
-    ASSERT_TRUE(fast.combines());
     expect_same_values(c, fast, of_strands);
   }
 }
@@ -135,20 +132,6 @@ TEST(DecidingEvaluation, EstimatesNothingThatMoreThanSumsDecides) {
   EXPECT_FALSE(estimates(estimated, parse_grasps("all", 3)));
 }
 
-TEST(DecidingEvaluation, SolvesEachTreeOnce) {
-  DecidingEvaluator fast({}, single_grasps(4), authors_score(), std::nullopt, of_strands);
-  RoutingGenerator generator({full_parts(), 4, FingerIdentity::identical, false});
-  std::set<std::string> trees;
-  for (Routing routing; generator.next(routing);) {
-    if (!is_actuated(routing)) continue;
-    fast.evaluate(routing);
-    for (const Tendon& tendon : routing.tendons) {
-      trees.insert(to_word(canonical(Routing{{tendon}}, FingerIdentity::identical)));
-    }
-  }
-  EXPECT_EQ(fast.trees_solved(), trees.size());
-}
-
 struct WholeCase {
   const char* what;
   Model model;
@@ -184,7 +167,6 @@ TEST(DecidingEvaluation, SolvesWholeRoutingsWhereTreesDoNotShareStates) {
   for (const WholeCase& c : cases) {
     SCOPED_TRACE(c.what);
     DecidingEvaluator fast(c.model, c.grasps, authors_score(), some_prices(), c.wanted);
-    EXPECT_FALSE(fast.combines());
     expect_same_values({full_parts(), 3, c.model, c.grasps}, fast, c.wanted);
   }
 }
@@ -220,32 +202,6 @@ TEST(TreeSpans, KeysKnowNothingOfTheNumbersOfFingersAndBlocks) {
   ASSERT_EQ(spans.size(), 2U);
   EXPECT_EQ(spans[0].key, spans[1].key);
   EXPECT_EQ(spans[1].fingers_before, 2);
-}
-
-// With a table of four places trees go and come again, and some routings find no place at all.
-TEST(KnownTrees, SolvesAgainWhatWentAndSaysWhenThereIsNoPlace) {
-  const Hardware hardware;
-  KnownTrees small(hardware, 1);
-  KnownTrees large(hardware);
-  RoutingGenerator generator({full_parts(), 6, FingerIdentity::identical, false});
-  std::size_t without_place = 0;
-  std::vector<TreeSpan> spans;
-  generator.seek(generator.total() - 5000);
-  for (Routing routing; generator.next(routing);) {
-    ASSERT_TRUE(split_into_trees(routing, spans));
-    const auto& seen = small.states(routing, spans);
-    const auto& expected = large.states(routing, spans);
-    ASSERT_EQ(expected.size(), spans.size());
-    if (seen.empty()) ++without_place;
-    for (std::size_t t = 0; t < seen.size(); ++t) {
-      const SolvedTree a = seen[t]->in_state(1);
-      const SolvedTree b = expected[t]->in_state(1);
-      ASSERT_TRUE(std::equal(a.strand.begin(), a.strand.end(), b.strand.begin(), b.strand.end()))
-          << to_word(routing);
-    }
-  }
-  EXPECT_GT(without_place, 0U);
-  EXPECT_GT(small.solved(), large.solved());
 }
 
 }  // namespace

@@ -120,19 +120,19 @@ TEST(Staircase, TakesNoMoreThanThreeObjectivesOfWhichOneIsACount) {
   EXPECT_FALSE(Staircase::can_hold(random_rows(engine, {4, 3, 3, 0}, 500)));
 }
 
-TEST(SweepCounter, CountsWhatIsNotLess) {
+TEST(KGreatest, TellsWhetherAsManyAreNotLess) {
   std::mt19937_64 engine(5);
   for (const std::uint64_t levels : {1U, 3U, 100U}) {
     std::vector<double> values;
-    for (int i = 0; i < 200; ++i) values.push_back(static_cast<double>(engine() % levels) - 1);
-    SweepCounter counter(values);
-    for (auto value = values.begin(); value != values.end(); ++value) {
+    KGreatest greatest(7);
+    for (int i = 0; i < 200; ++i) {
       for (double threshold = -2; threshold <= 5; threshold += 0.5) {
-        const auto expected =
-            std::count_if(values.begin(), value, [&](double v) { return v >= threshold; });
-        ASSERT_EQ(counter.not_less(threshold), expected) << threshold;
+        const auto not_less =
+            std::count_if(values.begin(), values.end(), [&](double v) { return v >= threshold; });
+        ASSERT_EQ(greatest.has_all_above(threshold), not_less >= 7) << threshold;
       }
-      counter.add(*value);
+      values.push_back(static_cast<double>(engine() % levels) - 1);
+      greatest.add(values.back());
     }
   }
 }
