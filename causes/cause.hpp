@@ -177,6 +177,11 @@ class Cause {
   // otherwise nullptr.
   virtual const ContactLaw* law(const Hardware&) const { return nullptr; }
 
+  // True if the cause acts at contacts of this kind.
+  virtual bool acts_at(ContactKind) const { return false; }
+  // Returns the name of the covariate over which the cause shows; empty if there is none.
+  virtual const char* follows() const { return ""; }
+
   // Each of the following is called for causes of its reach only.
   virtual void change_hardware(Hardware&, const Effect&) const {}
   virtual double exponent(double phi, const ContactLoad&, const Conditions&, const Effect&) const {

@@ -48,6 +48,10 @@ class LibraryCause final : public Cause {
   const ContactLaw* law(const Hardware& hardware) const override {
     return row_.law == nullptr ? nullptr : &(hardware.*row_.law);
   }
+  bool acts_at(ContactKind kind) const override {
+    return row_.contacts != nullptr && row_.contacts(kind);
+  }
+  const char* follows() const override { return row_.follows; }
   void change_hardware(Hardware& hardware, const Effect& effect) const override {
     if (row_.law != nullptr) (hardware.*row_.law).mu = effect.values[0];
     if (row_.change_hardware != nullptr) row_.change_hardware(hardware, effect);

@@ -23,6 +23,7 @@ struct CauseRow {
   // The data can show the cause if they have such contacts, and what it needs besides.
   bool (*contacts)(ContactKind) = nullptr;  // an exponent changes at these only
   bool Survey::*needs = nullptr;
+  const char* follows = "";  // covariate over which it shows
   // Null: one subject, or one for each channel.
   std::vector<Subject> (*subjects)(const Survey&) = nullptr;
   bool (*is_also_named)(const Subject&, std::string_view name, const Survey&) = nullptr;

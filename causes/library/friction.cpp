@@ -79,6 +79,7 @@ std::vector<CauseRow> friction_causes() {
        .meaning = "friction of tubes and sheaths falls with the load",
        .parameters = {{"exponent", "1", 0, {-0.3, 0.7}, Range{0, 0.2}}},
        .contacts = is_tube_or_sheath,
+       .follows = "load",
        .exponent =
            [](double phi, const ContactLoad& contact, const Conditions&,
               const std::vector<double>& values) {
@@ -99,6 +100,7 @@ std::vector<CauseRow> friction_causes() {
        .parameters = {{"slope", "1", 0, {-0.25, 0.5}, Range{0, 0.15}}},
        .contacts = is_tube_or_sheath,
        .needs = &Survey::has_speed,
+       .follows = "speed_mm_s",
        .exponent =
            [](double phi, const ContactLoad&, const Conditions& conditions,
               const std::vector<double>& values) {
@@ -121,6 +123,7 @@ std::vector<CauseRow> friction_causes() {
                       {"cycles", "1", std::nullopt, {10, 1e5}, Range{10, 1e4}}},
        .contacts = is_tube_or_sheath,
        .needs = &Survey::has_cycle,
+       .follows = "cycle",
        .exponent =
            [](double phi, const ContactLoad&, const Conditions& conditions,
               const std::vector<double>& values) {
@@ -140,6 +143,7 @@ std::vector<CauseRow> friction_causes() {
        .parameters = {{"slope", "1/K", 0, {-0.02, 0.03}, Range{0, 0.01}}},
        .contacts = is_tube_or_sheath,
        .needs = &Survey::has_temperature,
+       .follows = "temperature_C",
        .exponent =
            [](double phi, const ContactLoad&, const Conditions& conditions,
               const std::vector<double>& values) {
@@ -160,6 +164,7 @@ std::vector<CauseRow> friction_causes() {
        .parameters = {{"exponent", "1", 0, {-0.5, 2}, std::nullopt}},
        .contacts = is_sheath,
        .needs = &Survey::sheath_angle_varies,
+       .follows = "sheath_angle_rad",
        .exponent =
            [](double phi, const ContactLoad&, const Conditions&,
               const std::vector<double>& values) { return std::max(0.0, phi + values[0]); }},
@@ -224,6 +229,7 @@ std::vector<CauseRow> friction_causes() {
        .meaning = "the sheaths of one finger turn by another angle",
        .parameters = {{"angle_rad", "rad", 0, {-6, 12}, Range{-1.5, 1.5}}},
        .subject_kind = SubjectKind::finger,
+       .contacts = is_sheath,
        .subjects = fingers_with_sheaths,
        .change_hardware =
            [](Hardware& hardware, const Effect& effect) {

@@ -147,6 +147,7 @@ std::vector<CauseRow> rig_causes() {
        .reach = Reach::motor,
        .meaning = "the transmission takes a force that grows with the speed",
        .parameters = {{"slope", "N s/mm", 0, {0, 0.5}, std::nullopt}},
+       .follows = "speed_mm_s",
        .subjects =
            [](const Survey& survey) {
              return std::vector<Subject>(survey.has_motor_tension && survey.has_speed ? 1 : 0);

@@ -154,6 +154,7 @@ std::vector<CauseRow> sensor_causes() {
        .meaning = "the zero of one force sensor drifts from reading to reading",
        .parameters = {{"drift_N", "N", 0, {-20, 20}, std::nullopt}},
        .subject_kind = SubjectKind::channel,
+       .follows = "order",
        .read =
            [](std::span<Sensor> sensors, const Conditions& conditions, const Effect& effect) {
              Sensor* own = find_sensor(sensors, *effect.subject.channel);
