@@ -105,14 +105,6 @@ bool belongs_to_designs(const Effect& effect) {
   return reach != Reach::reading && reach != Reach::grasp && reach != Reach::motor;
 }
 
-std::vector<const Effect*> effects_left_out_of_designs(const Model& model) {
-  std::vector<const Effect*> left_out;
-  for (const Effect& effect : model.effects) {
-    if (!belongs_to_designs(effect)) left_out.push_back(&effect);
-  }
-  return left_out;
-}
-
 Conditions at_tendon(const Model& model, Direction direction, const Conditions& recorded) {
   Conditions result = recorded;
   for (const Effect& effect : model.effects) {

@@ -1,6 +1,7 @@
 #include "diagnosis/fit/mounting.hpp"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <map>
 #include <memory>
@@ -203,17 +204,8 @@ std::size_t most_of_a_kind(const Dataset& dataset, ContactKind kind) {
 }
 
 const char* mounted_name(Mounted kind) {
-  switch (kind) {
-    case Mounted::sheath:
-      return "sheath";
-    case Mounted::tube:
-      return "tube";
-    case Mounted::bearing:
-      return "bearing";
-    case Mounted::gain:
-      return "gain";
-  }
-  return "";
+  constexpr std::array names{"sheath", "tube", "bearing", "gain"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 std::vector<Mounting> mountings(const Dataset& dataset) {

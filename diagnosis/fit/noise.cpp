@@ -1,6 +1,7 @@
 #include "diagnosis/fit/noise.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -59,19 +60,8 @@ double deviation_if_near(const Dataset& dataset, const Noise& noise, const Cell&
 }  // namespace
 
 const char* noise_source_name(NoiseSource source) {
-  switch (source) {
-    case NoiseSource::repeats:
-      return "repeats";
-    case NoiseSource::smoothing:
-      return "smoothing";
-    case NoiseSource::repeats_and_smoothing:
-      return "repeats and smoothing";
-    case NoiseSource::residuals:
-      return "residuals";
-    case NoiseSource::known:
-      return "known";
-  }
-  return "";
+  constexpr std::array names{"repeats", "smoothing", "repeats and smoothing", "residuals", "known"};
+  return names[static_cast<std::size_t>(source)];
 }
 
 double Noise::deviation(double tension_N) const {
