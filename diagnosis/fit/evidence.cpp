@@ -8,7 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "diagnosis/fit/left_noise.hpp"
 #include "diagnosis/fit/scatter_fit.hpp"
 
 namespace reeve::diagnosis {
