@@ -23,7 +23,6 @@
 #include "diagnosis/verdict/other_direction.hpp"
 #include "diagnosis/verdict/outlier_forecasts.hpp"
 #include "diagnosis/verdict/outlier_groups.hpp"
-#include "diagnosis/verdict/residual_structure.hpp"
 #include "diagnosis/verdict/run_words.hpp"
 #include "numerics/streams.hpp"
 
@@ -354,17 +353,16 @@ class Diagnosis {
   }
 
   void check_residual_structure() {
-    const ResidualStructure left = residual_structure(
+    result_.row_scatter = row_scatter(found_.problem, forecast(sample_.training, found_.model));
+    const StructureResult left = residual_structure(
         found_.problem, found_.model, found_.scatter.mounting, options_.alpha,
         {streams::seed_of_residual_structure(options_.seed), options_.replicates}, workers_,
         [this] { return stopped("checking what is left"); });
-    result_.row_scatter = left.row_scatter;
-    result_.structure = left.structure.findings;
-    result_.structure_p_value = left.structure.p_value;
-    const bool is_chance = left.structure.p_value >= structure_share_of_alpha * options_.alpha;
+    result_.structure = left.findings;
+    result_.structure_p_value = left.p_value;
+    const bool is_chance = left.p_value >= structure_share_of_alpha * options_.alpha;
     if (!stop_ && !is_chance && leaves_more_than_noise()) {
-      result_.unexplained = {left.structure.findings.front().about, left.structure.where,
-                             left.structure.p_value};
+      result_.unexplained = {left.findings.front().about, left.where, left.p_value};
     }
   }
 

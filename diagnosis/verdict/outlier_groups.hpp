@@ -30,7 +30,7 @@
 #include "diagnosis/fit/mounted_draws.hpp"
 #include "diagnosis/fit/noise.hpp"
 #include "diagnosis/fit/problem.hpp"
-#include "diagnosis/verdict/residual_structure.hpp"
+#include "diagnosis/verdict/structure.hpp"
 
 namespace reeve::diagnosis {
 

@@ -290,4 +290,23 @@ StructureResult find_structure(const Problem& problem, const std::vector<Structu
   return result;
 }
 
+StructureResult residual_structure(const Problem& problem, const Model& model,
+                                   const MountingScatter& mounting, double alpha,
+                                   const Replicates& replicates, Workers& workers,
+                                   const std::function<bool()>& stop) {
+  const Dataset& training = *problem.dataset;
+  const Forecast at = forecast(training, model);
+  const Projection projection(problem, model, at);
+  const Eigen::VectorXd left = projection.taken_out(residuals(problem, at));
+  const auto tests = structure_tests(problem, at, projection);
+  const auto judged_by = [&](const MountedDraws* mounted) {
+    const NullModel null_model(problem, projection, at, replicates.seed, replicates.count, mounted);
+    return find_structure(problem, tests, left, null_model, workers, stop);
+  };
+  StructureResult result = judged_by(nullptr);
+  if (result.p_value >= alpha || problem.shared.empty() || stop()) return result;
+  const MountedDraws mounted(training, model, mounting);
+  return judged_by(&mounted);
+}
+
 }  // namespace reeve::diagnosis
