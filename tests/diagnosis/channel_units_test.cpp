@@ -1,5 +1,5 @@
 // Sensors of planted data in another unit.
-#include "diagnosis/verdict/channel_units.hpp"
+#include "diagnosis/verdict/model_doubts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Directions that are written down the other way in one run of planted data.
-#include "diagnosis/verdict/other_direction.hpp"
+#include "diagnosis/verdict/model_doubts.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
