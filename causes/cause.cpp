@@ -30,8 +30,7 @@ std::vector<Subject> channel_subjects(const std::vector<Segment>& channels) {
 }
 
 Sensor* find_sensor(std::span<Sensor> sensors, const Segment& segment) {
-  const auto found = std::find_if(sensors.begin(), sensors.end(),
-                                  [&](const Sensor& sensor) { return sensor.segment == segment; });
+  const auto found = std::ranges::find(sensors, segment, &Sensor::segment);
   return found == sensors.end() ? nullptr : &*found;
 }
 

@@ -13,10 +13,10 @@ namespace reeve::causes {
 namespace {
 
 bool has_contact(const Survey& survey, bool (*is_wanted)(ContactKind)) {
-  return std::any_of(survey.routings.begin(), survey.routings.end(), [&](const auto& routing) {
+  return std::ranges::any_of(survey.routings, [&](const auto& routing) {
     const std::vector<Contact>& contacts = routing.network->contacts;
-    return std::any_of(contacts.begin(), contacts.end(),
-                       [&](const Contact& contact) { return is_wanted(contact.kind); });
+    return std::ranges::any_of(contacts,
+                               [&](const Contact& contact) { return is_wanted(contact.kind); });
   });
 }
 

@@ -30,7 +30,7 @@ namespace {
 
 void require_some_tension(const MeasuredData& data) {
   const std::vector<bool> dead = reads_zero_alone(data);
-  if (std::find(dead.begin(), dead.end(), false) != dead.end()) return;
+  if (std::ranges::find(dead, false) != dead.end()) return;
   throw InputError({.what = "every tension in the data",
                     .value = "0",
                     .expected = "a sensor that reads something"});
@@ -86,9 +86,9 @@ class Diagnosis {
     if (stop_) return std::nullopt;
     const auto intervals =
         parameter_intervals(found_.problem, found_.model, found_.mounting_degrees());
-    const bool bends_are_recorded =
-        std::any_of(data_.readings.begin(), data_.readings.end(),
-                    [](const Reading& reading) { return reading.sheath_angle_rad.has_value(); });
+    const bool bends_are_recorded = std::ranges::any_of(data_.readings, [](const Reading& reading) {
+      return reading.sheath_angle_rad.has_value();
+    });
     describe(result_.causes, found_.model, nominal_.hardware, intervals, force_scale(data_),
              bends_are_recorded);
     add_partial_residuals(intervals);
@@ -135,8 +135,8 @@ class Diagnosis {
   }
 
   bool is_noted(NoteKind kind) const {
-    return std::any_of(result_.notes.begin(), result_.notes.end(),
-                       [&](const DataNote& note) { return note.kind == kind; });
+    return std::ranges::any_of(result_.notes,
+                               [&](const DataNote& note) { return note.kind == kind; });
   }
 
   // Before anything is fitted, and where the tensions alone have not said it.
@@ -229,10 +229,9 @@ class Diagnosis {
     result_.residual_before_N = by.before_N;
     result_.residual_after_N = by.after_N;
     for (std::size_t i = 0; i < named.size(); ++i) named[i].cause.explained = by.terms[i];
-    std::stable_sort(named.begin(), named.end(),
-                     [](const NamedWithOthers& a, const NamedWithOthers& b) {
-                       return a.cause.explained.share > b.cause.explained.share;
-                     });
+    std::ranges::stable_sort(named, [](const NamedWithOthers& a, const NamedWithOthers& b) {
+      return a.cause.explained.share > b.cause.explained.share;
+    });
   }
 
   // Over what each named term follows, beside its fitted law.
@@ -271,7 +270,7 @@ class Diagnosis {
     std::vector<std::string> names{cause.name};
     std::vector<Model> models{found_.model};
     for (const Alternative& other : alternatives) {
-      if (std::find(names.begin(), names.end(), other.name) != names.end()) continue;
+      if (std::ranges::find(names, other.name) != names.end()) continue;
       if (!cause.runner_up) cause.runner_up = RunnerUp{other.name, other.deficit};
       names.push_back(other.name);
       models.push_back(other.model);
@@ -334,7 +333,7 @@ class Diagnosis {
       const std::string own = effect_name(accepted.effect);
       for (const Alternative& other : accepted.alternatives) {
         std::vector<std::string> instead = names;
-        std::replace(instead.begin(), instead.end(), own, other.name);
+        std::ranges::replace(instead, own, other.name);
         result_.weighed.push_back({std::move(instead), gain / 2 - other.deficit, std::nullopt});
       }
     }
@@ -443,7 +442,7 @@ class Diagnosis {
     for (const Dataset* part : {&sample_.training, &sample_.held_out}) {
       for (const DatasetRow& row : part->rows) readings.push_back(row.reading);
     }
-    std::sort(readings.begin(), readings.end());
+    std::ranges::sort(readings);
     return readings;
   }
 

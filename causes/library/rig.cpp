@@ -42,12 +42,11 @@ std::vector<Subject> every_contact(const Survey& survey) {
 bool is_contact_named(const Subject& subject, std::string_view name, const Survey& survey) {
   const std::size_t comma = name.rfind(',');
   if (comma == std::string_view::npos || name.substr(0, comma) != subject.routing) return false;
-  return std::any_of(survey.routings.begin(), survey.routings.end(),
-                     [&](const SurveyedRouting& routing) {
-                       return routing.word == subject.routing &&
-                              find_contact(*routing.network, name.substr(comma + 1)) ==
-                                  find_contact(*routing.network, subject.contact);
-                     });
+  return std::ranges::any_of(survey.routings, [&](const SurveyedRouting& routing) {
+    return routing.word == subject.routing &&
+           find_contact(*routing.network, name.substr(comma + 1)) ==
+               find_contact(*routing.network, subject.contact);
+  });
 }
 
 double with_loss(double motor_tension_N, Direction direction, double force_N) {

@@ -15,7 +15,7 @@ std::vector<Subject> channel_pairs(const Survey& survey) {
   const std::vector<Segment>& channels = survey.channels;
   if (channels.size() > most_channels) return {};
   const auto met = [&](const Segment& a, const Segment& b) {
-    return std::any_of(survey.routings.begin(), survey.routings.end(), [&](const auto& routing) {
+    return std::ranges::any_of(survey.routings, [&](const auto& routing) {
       return find_segment(*routing.network, a) && find_segment(*routing.network, b);
     });
   };
@@ -60,7 +60,7 @@ std::vector<CauseRow> sensor_causes() {
        .subjects =
            [](const Survey& survey) {
              const std::vector<Segment>& channels = survey.channels;
-             const bool possible = std::any_of(channels.begin(), channels.end(), is_strand);
+             const bool possible = std::ranges::any_of(channels, is_strand);
              return std::vector<Subject>(possible ? 1 : 0);
            },
        .read =

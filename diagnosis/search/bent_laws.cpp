@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <vector>
 
@@ -73,8 +74,7 @@ void screen_knots(const LawColumns& columns, const Bend& at, Form form, std::siz
 }  // namespace
 
 void screen_bent(const LawColumns& columns, std::vector<Bend> bends, FoundLaws& found) {
-  std::stable_sort(bends.begin(), bends.end(),
-                   [](const Bend& a, const Bend& b) { return a.evidence > b.evidence; });
+  std::ranges::stable_sort(bends, std::greater{}, &Bend::evidence);
   bends.resize(std::min(most_bends, bends.size()));
   for (const Bend& at : bends) {
     const Lever& lever = columns.lever(at.lever);

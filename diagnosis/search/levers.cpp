@@ -59,10 +59,9 @@ class LeversOf {
         slots_(slots(dataset, model, workers)),
         contacts_(contacts_of_rows(dataset, model)),
         block_of_(dataset.rows.size()),
-        turns_(std::any_of(dataset.blocks.begin(), dataset.blocks.end(),
-                           [&](const ReadingBlock& block) {
-                             return block.direction != dataset.blocks.front().direction;
-                           })) {
+        turns_(std::ranges::any_of(dataset.blocks, [&](const ReadingBlock& block) {
+          return block.direction != dataset.blocks.front().direction;
+        })) {
     for (const ReadingBlock& block : dataset.blocks) {
       for (const std::size_t r : block.rows) block_of_[r] = &block;
     }
@@ -94,10 +93,9 @@ class LeversOf {
       const DatasetRow& row = dataset_.rows[r];
       for (const causes::SolvedContact& contact : contacts_[r]) {
         if (!is_in(site, r, contact)) continue;
-        const ContactColumn& slot =
-            *std::find_if(slots_.begin(), slots_.end(), [&](const ContactColumn& each) {
-              return each.kind == contact.kind && each.number == contact.number;
-            });
+        const ContactColumn& slot = *std::ranges::find_if(slots_, [&](const ContactColumn& each) {
+          return each.kind == contact.kind && each.number == contact.number;
+        });
         const double factor = factor_of(target, contact);
         for (auto i = static_cast<Index>(row.first); i < static_cast<Index>(row.last); ++i) {
           result.push_back({i, factor * slot.by_exponent_N[i], contact.high});
@@ -121,7 +119,7 @@ class LeversOf {
     for (const ContactShare& share : shares) {
       if (share.load_N > 0) loads.push_back(share.load_N);
     }
-    std::sort(loads.begin(), loads.end());
+    std::ranges::sort(loads);
     loads.erase(std::unique(loads.begin(), loads.end()), loads.end());
     if (loads.size() < 3 || loads.back() < wide * loads.front()) return std::nullopt;
     RowCovariate result;

@@ -195,7 +195,7 @@ std::optional<DataNote> note_on_other_direction(const MeasuredData& data,
     }
   }
   const std::size_t count = note.lines.size();
-  std::sort(note.lines.begin(), note.lines.end());
+  std::ranges::sort(note.lines);
   note.text = fmt::format(
       "{} of {} rows of {} read as if the carriage had gone the other way than their direction "
       "says: is it written down as it was?",

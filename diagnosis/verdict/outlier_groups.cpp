@@ -55,8 +55,7 @@ double sign_test(std::size_t above, std::size_t below) {
 
 double rank_sum_test(std::vector<SidedRow> rows, double above, double below) {
   if (above == 0 || below == 0) return 1;
-  std::sort(rows.begin(), rows.end(),
-            [](const SidedRow& a, const SidedRow& b) { return a.load_N < b.load_N; });
+  std::ranges::sort(rows, {}, &SidedRow::load_N);
   double sum = 0;
   for (std::size_t rank = 0; rank < rows.size(); ++rank) {
     if (rows[rank].side > 0) sum += static_cast<double>(rank + 1);
@@ -141,9 +140,7 @@ class OutlierFinder {
       const std::vector<JudgedCell> measured = part.cells.measured();
       cells_.insert(cells_.end(), measured.begin(), measured.end());
     }
-    std::stable_sort(cells_.begin(), cells_.end(), [](const JudgedCell& a, const JudgedCell& b) {
-      return a.reading < b.reading;
-    });
+    std::ranges::stable_sort(cells_, {}, &JudgedCell::reading);
     counts_ = counts_of(cells_);
   }
 
@@ -158,9 +155,7 @@ class OutlierFinder {
       }
       result.together.push_back(together(channels, runs));
     }
-    std::stable_sort(
-        result.together.begin(), result.together.end(),
-        [](const OutlierGroups& a, const OutlierGroups& b) { return a.p_value < b.p_value; });
+    std::ranges::stable_sort(result.together, {}, &OutlierGroups::p_value);
     for (const auto& [run, count] : counts_.runs) {
       if (taken.count(run) > 0) continue;
       result.elsewhere += count.all;
@@ -181,8 +176,8 @@ class OutlierFinder {
   }
 
   bool shares_scatter() const {
-    return std::any_of(parts_.begin(), parts_.end(),
-                       [](const Part& part) { return !part.problem->shared.empty(); });
+    return std::ranges::any_of(parts_,
+                               [](const Part& part) { return !part.problem->shared.empty(); });
   }
 
   void draw_mountings() {
@@ -217,8 +212,8 @@ class OutlierFinder {
   double chance_of(const OutlierCount& part) const {
     const double chance = chances_.family_wise(part, counts_);
     if (rarest_drawn_.empty() || chance >= limit_) return chance;
-    const auto as_rare = std::count_if(rarest_drawn_.begin(), rarest_drawn_.end(),
-                                       [&](double drawn) { return drawn <= chance; });
+    const auto as_rare =
+        std::ranges::count_if(rarest_drawn_, [&](double drawn) { return drawn <= chance; });
     return std::max(
         chance, static_cast<double>(as_rare + 1) / static_cast<double>(rarest_drawn_.size() + 1));
   }
@@ -259,8 +254,8 @@ class OutlierFinder {
     OutlierGroups result{channels, runs, true, 0, {}, 1, {}};
     std::vector<JudgedCell> far;
     for (const JudgedCell& cell : cells_) {
-      if (!std::binary_search(channels.begin(), channels.end(), cell.channel) ||
-          !std::binary_search(runs.begin(), runs.end(), cell.run)) {
+      if (!std::ranges::binary_search(channels, cell.channel) ||
+          !std::ranges::binary_search(runs, cell.run)) {
         continue;
       }
       ++result.readings;
@@ -335,7 +330,7 @@ OutlierSides outlier_sides(const std::vector<JudgedCell>& far) {
   for (const JudgedCell& cell : far) ++(cell.z > 0 ? sides.above : sides.below);
   const std::vector<SidedRow> rows = sided_rows(far);
   const auto above = static_cast<std::size_t>(
-      std::count_if(rows.begin(), rows.end(), [](const SidedRow& row) { return row.side > 0; }));
+      std::ranges::count_if(rows, [](const SidedRow& row) { return row.side > 0; }));
   const std::size_t below = rows.size() - above;
   const double by_load =
       rank_sum_test(rows, static_cast<double>(above), static_cast<double>(below));

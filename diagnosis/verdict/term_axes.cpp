@@ -238,8 +238,8 @@ double mean_of_contacts(const TermAxes& axes, const DrawnCell& cell,
                            contact.finger,
                            reading.grasp,
                            data.routings[reading.routing].word};
-    const bool acts = std::any_of(axes.sites.begin(), axes.sites.end(),
-                                  [&](const Site& site) { return causes::acts_on(site, load); });
+    const bool acts = std::ranges::any_of(
+        axes.sites, [&](const Site& site) { return causes::acts_on(site, load); });
     if (!acts) continue;
     sum += value(contact.high);
     count += 1;
