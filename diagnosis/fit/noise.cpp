@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -53,13 +54,25 @@ double own_error(const Dataset& dataset, const Cell& cell) {
   return cell.channel < errors.size() ? errors[cell.channel].value_or(0) : 0;
 }
 
-// `least` for channels whose noise is known.
-double deviation_if_near(const Dataset& dataset, const Noise& noise, const Cell& cell,
-                         double expected_N, double least) {
-  if (const auto known = known_noise(*dataset.data, cell.channel)) {
-    return std::max(known->deviation(expected_N), least);
+// A reading beyond so many standard deviations scatters as one at what it reads does. Those of
+// channels whose noise is known never do.
+Eigen::VectorXd deviations_within(double far, const Dataset& dataset, const Noise& noise,
+                                  const Eigen::VectorXd& expected_N) {
+  const double least = least_absolute(dataset);
+  Eigen::VectorXd result(expected_N.size());
+  for (Eigen::Index i = 0; i < result.size(); ++i) {
+    const Cell& cell = dataset.cells[static_cast<std::size_t>(i)];
+    if (const auto known = known_noise(*dataset.data, cell.channel)) {
+      result[i] = std::max(known->deviation(expected_N[i]), least);
+    } else {
+      const double scale = noise.scale_of(dataset.data->readings[cell.reading]);
+      const double near = scale * noise.deviation(expected_N[i]);
+      const bool is_far = std::abs((cell.measured_N - expected_N[i]) / near) > far;
+      result[i] = is_far ? scale * noise.deviation(std::max(cell.measured_N, 0.0)) : near;
+    }
+    result[i] = std::max(result[i], own_error(dataset, cell));
   }
-  return noise.scale_of(dataset.data->readings[cell.reading]) * noise.deviation(expected_N);
+  return result;
 }
 
 // In newton, and so sure that no reading is near what a sensor cannot read below.
@@ -185,35 +198,12 @@ double Noise::scale_of(const Reading& reading) const {
 Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
                            const Eigen::VectorXd& expected_N) {
   // So far out chance brings less than one reading in a million.
-  constexpr double far = 5;
-  const double least = least_absolute(dataset);
-  Eigen::VectorXd result(expected_N.size());
-  for (Eigen::Index i = 0; i < result.size(); ++i) {
-    const Cell& cell = dataset.cells[static_cast<std::size_t>(i)];
-    const double near = deviation_if_near(dataset, noise, cell, expected_N[i], least);
-    const double measured = cell.measured_N;
-    const double z = (measured - expected_N[i]) / near;
-    if (known_noise(*dataset.data, cell.channel)) {
-      result[i] = near;
-    } else {
-      const double scale = noise.scale_of(dataset.data->readings[cell.reading]);
-      result[i] = std::abs(z) <= far ? near : scale * noise.deviation(std::max(measured, 0.0));
-    }
-    result[i] = std::max(result[i], own_error(dataset, cell));
-  }
-  return result;
+  return deviations_within(5, dataset, noise, expected_N);
 }
 
 Eigen::VectorXd deviations_if_near(const Dataset& dataset, const Noise& noise,
                                    const Eigen::VectorXd& expected_N) {
-  const double least = least_absolute(dataset);
-  Eigen::VectorXd result(expected_N.size());
-  for (Eigen::Index i = 0; i < result.size(); ++i) {
-    const Cell& cell = dataset.cells[static_cast<std::size_t>(i)];
-    result[i] = std::max(deviation_if_near(dataset, noise, cell, expected_N[i], least),
-                         own_error(dataset, cell));
-  }
-  return result;
+  return deviations_within(std::numeric_limits<double>::infinity(), dataset, noise, expected_N);
 }
 
 std::optional<Noise> noise_without_model(const Dataset& dataset) {
