@@ -13,7 +13,7 @@ constexpr std::size_t most_bends = 8;
 constexpr std::size_t most_knots = 12;
 
 // A step that parts one run from all others says no more than that this run stands apart, which is
-// screened by itself (part_laws.cpp).
+// screened by itself (law_families.cpp).
 bool parts_one_run(const LawColumns& columns, std::size_t l, const RowLaw& step) {
   const RowCovariate& x = columns.covariate(columns.lever(l), step.x);
   if (!columns.is_whole(l) || step.form != Form::step || step.x == columns.load()) return false;

@@ -8,7 +8,7 @@
 #include "diagnosis/fit/evidence.hpp"
 #include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/null_model.hpp"
-#include "diagnosis/search/law_screening.hpp"
+#include "diagnosis/search/law_families.hpp"
 
 namespace reeve::diagnosis {
 namespace {
