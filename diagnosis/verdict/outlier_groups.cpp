@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "diagnosis/fit/mounted_draws.hpp"
 #include "numerics/binomial.hpp"
 #include "numerics/random.hpp"
 #include "numerics/student_t.hpp"
@@ -26,6 +27,51 @@ Eigen::VectorXd of_mountings_N(const Problem& problem) {
   }
   return result;
 }
+
+// Readings of one problem, and others as they would be if nothing but noise and mountings moved
+// them. The problem must outlive it.
+class JudgedCells {
+ public:
+  JudgedCells(const Problem& problem, const Forecast& at, const Noise& noise)
+      : problem_(problem),
+        expected_N_(expected_readings(problem, at)),
+        reading_N_(at.reading_N),
+        off_N_(own_residuals(problem, at).cwiseProduct(problem.deviation_N)),
+        noise_N_(deviations_if_near(*problem.dataset, noise, at.reading_N)),
+        deviation_N_(
+            (noise_N_.array().square() + of_mountings_N(problem).array().square()).sqrt()) {}
+
+  std::vector<JudgedCell> measured() const { return cells(off_N_); }
+
+  std::vector<JudgedCell> drawn(const MountedDraws& mountings, std::uint64_t seed,
+                                std::uint32_t stream) const {
+    Eigen::VectorXd off_N =
+        mountings.draw(seed, stream, static_cast<std::uint64_t>(reading_N_.size())) - reading_N_;
+    for (Eigen::Index i = 0; i < off_N.size(); ++i) {
+      off_N[i] += noise_N_[i] * normal(seed, stream, static_cast<std::uint64_t>(i));
+    }
+    return cells(off_N);
+  }
+
+ private:
+  std::vector<JudgedCell> cells(const Eigen::VectorXd& off_N) const {
+    std::vector<JudgedCell> result;
+    for (std::size_t i = 0; i < problem_.dataset->cells.size(); ++i) {
+      const Cell& cell = problem_.dataset->cells[i];
+      const auto k = static_cast<Eigen::Index>(i);
+      result.push_back({cell.reading, problem_.dataset->data->readings[cell.reading].run,
+                        cell.channel, expected_N_[k], off_N[k] / deviation_N_[k]});
+    }
+    return result;
+  }
+
+  const Problem& problem_;
+  Eigen::VectorXd expected_N_;
+  Eigen::VectorXd reading_N_;
+  Eigen::VectorXd off_N_;
+  Eigen::VectorXd noise_N_;
+  Eigen::VectorXd deviation_N_;
+};
 
 struct SidedRow {
   double load_N = 0;  // the mean of what its far cells should read
@@ -292,38 +338,6 @@ class OutlierFinder {
 };
 
 }  // namespace
-
-JudgedCells::JudgedCells(const Problem& problem, const Forecast& at, const Noise& noise)
-    : problem_(problem),
-      expected_N_(expected_readings(problem, at)),
-      reading_N_(at.reading_N),
-      off_N_(own_residuals(problem, at).cwiseProduct(problem.deviation_N)),
-      noise_N_(deviations_if_near(*problem.dataset, noise, at.reading_N)) {
-  deviation_N_ = (noise_N_.array().square() + of_mountings_N(problem).array().square()).sqrt();
-}
-
-std::vector<JudgedCell> JudgedCells::cells(const Eigen::VectorXd& off_N) const {
-  std::vector<JudgedCell> result;
-  for (std::size_t i = 0; i < problem_.dataset->cells.size(); ++i) {
-    const Cell& cell = problem_.dataset->cells[i];
-    const auto k = static_cast<Eigen::Index>(i);
-    result.push_back({cell.reading, problem_.dataset->data->readings[cell.reading].run,
-                      cell.channel, expected_N_[k], off_N[k] / deviation_N_[k]});
-  }
-  return result;
-}
-
-std::vector<JudgedCell> JudgedCells::measured() const { return cells(off_N_); }
-
-std::vector<JudgedCell> JudgedCells::drawn(const MountedDraws& mountings, std::uint64_t seed,
-                                           std::uint32_t stream) const {
-  Eigen::VectorXd off_N =
-      mountings.draw(seed, stream, static_cast<std::uint64_t>(reading_N_.size())) - reading_N_;
-  for (Eigen::Index i = 0; i < off_N.size(); ++i) {
-    off_N[i] += noise_N_[i] * normal(seed, stream, static_cast<std::uint64_t>(i));
-  }
-  return cells(off_N);
-}
 
 OutlierSides outlier_sides(const std::vector<JudgedCell>& far) {
   OutlierSides sides;
