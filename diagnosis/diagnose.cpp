@@ -63,7 +63,7 @@ class Diagnosis {
         sample_(sample(data, options.hold_out, options.seed)) {
     nominal_.hardware = hardware;
     result_.model = nominal_;
-    take_over_counts();
+    static_cast<SampleCounts&>(result_) = sample_;
     note_what_the_model_doubts();
   }
 
@@ -123,15 +123,6 @@ class Diagnosis {
     if (options_.stage && options_.stage(stage)) stop_ = true;
     if (options_.stop != nullptr && options_.stop->load()) stop_ = true;
     return stop_;
-  }
-
-  void take_over_counts() {
-    result_.rows = sample_.rows;
-    result_.runs = sample_.runs;
-    result_.held_out_runs = sample_.held_out_runs;
-    result_.dropped_duplicates = sample_.dropped_duplicates;
-    result_.thinned_rows = sample_.thinned_rows;
-    result_.notes = sample_.notes;
   }
 
   bool is_noted(NoteKind kind) const {
