@@ -5,6 +5,7 @@
 #include <compare>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -30,7 +31,7 @@ using Signature = std::vector<Rank>;
 Rank shape_code(const Token& token) {
   const auto kind = static_cast<Rank>(token.kind);
   const Rank part =
-      (kind * 2 + static_cast<Rank>(token.tip)) * (max_carriages + 1) + token.carriage;
+      (kind * 3 + static_cast<Rank>(token.tip)) * (max_carriages + 1) + token.carriage;
   return (part << 16) + token.arms.left;
 }
 
@@ -252,11 +253,18 @@ bool precedes(const Tree& a, const Tree& b) {
   return compare_numbers(a, b, [](const Token& token) { return token.finger; }) < 0;
 }
 
+// Number of all fingers that no two tendons share, behind those of the others.
+constexpr std::uint8_t unshared = max_fingers;
+
 void number_fingers_in_order(Routing& routing) {
+  std::array<std::uint8_t, max_fingers + 1> numbers{};
   std::uint8_t next = 1;
   for (Tendon& tendon : routing.tendons) {
     for (Token& token : tendon.walk) {
-      if (is_of_finger(token.kind)) token.finger = next++;
+      if (!is_of_finger(token.kind)) continue;
+      std::uint8_t& number = numbers[token.finger];
+      if (number == 0 || token.finger == 0 || token.finger == unshared) number = next++;
+      token.finger = number;
     }
   }
 }
@@ -329,13 +337,62 @@ bool same_shape(const Tendon& a, const Tendon& b) { return compare_shapes(a, b) 
 
 namespace {
 
-// The canonical form in which every motor keeps its number.
-Routing canonical_as_numbered(const Routing& routing, FingerIdentity identity) {
+Routing in_order(const Routing& routing, FingerIdentity identity) {
   std::vector<Tree> trees = canonical_trees(routing, identity);
   std::sort(trees.begin(), trees.end(), precedes);
   Routing result;
   for (Tree& tree : trees) append(std::move(tree), result);
-  if (identity == FingerIdentity::identical) number_fingers_in_order(result);
+  return result;
+}
+
+// The shapes of the tendons on a finger, whatever its number.
+std::vector<Signature> shapes_on(const Routing& routing, std::uint8_t finger) {
+  std::vector<Signature> shapes;
+  for (const Tendon& tendon : routing.tendons) {
+    const auto is_on_it = [&](const Token& token) { return token.finger == finger; };
+    if (std::none_of(tendon.walk.begin(), tendon.walk.end(), is_on_it)) continue;
+    Signature& shape = shapes.emplace_back();
+    for (const Token& token : least_image(tendon).walk) shape.push_back(shape_code(token));
+  }
+  std::sort(shapes.begin(), shapes.end());
+  return shapes;
+}
+
+// Of all numbers 1 … k of the k fingers that tendons share, those with the least word. Fingers on
+// like tendons have neighbouring numbers.
+Routing least_numbering(const Routing& routing) {
+  const std::vector<std::uint8_t> shared = second_tendons(routing);
+  std::vector<std::pair<std::vector<Signature>, std::uint8_t>> fingers;
+  for (const std::uint8_t finger : shared) fingers.emplace_back(shapes_on(routing, finger), finger);
+  std::sort(fingers.begin(), fingers.end());
+  std::vector<std::size_t> order(shared.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::optional<Routing> least;
+  do {
+    std::array<std::uint8_t, max_fingers + 1> numbers{};
+    std::fill(numbers.begin() + 1, numbers.end(), unshared);
+    bool sorted = true;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      numbers[fingers[order[i]].second] = static_cast<std::uint8_t>(i + 1);
+      sorted &= fingers[order[i]].first == fingers[i].first;
+    }
+    if (!sorted) continue;
+    Routing numbered = routing;
+    for (Tendon& tendon : numbered.tendons) {
+      for (Token& token : tendon.walk) token.finger = numbers[token.finger];
+    }
+    numbered = in_order(numbered, FingerIdentity::distinct);
+    if (!least || precedes(numbered.tendons, least->tendons)) least = std::move(numbered);
+  } while (std::next_permutation(order.begin(), order.end()));
+  return *least;
+}
+
+// The canonical form in which every motor keeps its number.
+Routing canonical_as_numbered(const Routing& routing, FingerIdentity identity) {
+  if (identity == FingerIdentity::distinct) return in_order(routing, identity);
+  Routing result =
+      second_tendons(routing).empty() ? in_order(routing, identity) : least_numbering(routing);
+  number_fingers_in_order(result);
   return result;
 }
 

@@ -5,9 +5,10 @@
 // identical fingers) by the numbers of the fingers and of the motors, are one routing. The
 // canonical form is the least of them in this order:
 //   tendons: more fingers first, open before closed, then shape, then finger numbers;
-//   shapes:  token by token, M < M2 < F < 1x < tail < becket < pivot < finger (tube tip < bearing
-//            tip) < block < bar (by its ratio) < T < B < P < P2;
-// and, for identical fingers, fingers numbered in the order in which the word passes them. Tendons
+//   shapes:  token by token, M < M2 < F < 1x < 1e < tail < becket < pivot < finger (tube tip <
+//            bearing tip) < block < bar (by its ratio) < T < B < P < P2;
+// and, for identical fingers, fingers numbered in the order in which the word passes them. Those
+// that two tendons share are first numbered in all ways, of which the least word counts. Tendons
 // that blocks tie together are one tree and stay side by side, in the order of canonical_tree.hpp.
 #pragma once
 

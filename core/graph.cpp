@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "core/network_graph.hpp"
 
@@ -22,6 +24,28 @@ void require_actuated(const Network& network, const std::string& word) {
                                segment_name(network.segments[i]))});
     }
   }
+}
+
+const Segment* second_tendon(const Network& network) {
+  const auto is_second = [&](const Segment& segment) {
+    if (segment.kind != SegmentKind::strand || segment.number % 2 == 1) return false;
+    return std::none_of(
+        network.contacts.begin(), network.contacts.end(), [&](const Contact& contact) {
+          return contact.place == ContactPlace::tip && contact.finger == segment.finger;
+        });
+  };
+  const auto found = std::find_if(network.segments.begin(), network.segments.end(), is_second);
+  return found == network.segments.end() ? nullptr : &*found;
+}
+
+void require_single_tendons(const Network& network, const std::string& word, const char* study) {
+  const Segment* const second = second_tendon(network);
+  if (second == nullptr) return;
+  throw InputError(
+      {.where = fmt::format("routing '{}'", word),
+       .what = fmt::format("finger {} has {}, which {} does not know", second->finger,
+                           second->extensor ? "an extensor" : "a second flexor", study),
+       .expected = "one flexor tendon on each finger"});
 }
 
 namespace {

@@ -7,7 +7,7 @@ namespace reeve::core {
 
 double ClosingAlike::given_up(const Network& network, const Mechanics& mechanics) {
   double sum = 0;
-  if (network.blocks.empty()) {
+  if (network.blocks.empty() && !network.shared) {
     for (std::size_t i = 0; i < network.segments.size(); ++i) {
       if (network.segments[i].kind == SegmentKind::motor_side) sum += mechanics.spool(i);
     }
@@ -22,7 +22,7 @@ double ClosingAlike::given_up(const Network& network, const Mechanics& mechanics
   kinematics_.solve(network, mechanics_, Grasp{}, Direction::pull, motion_);
   for (const Segment& segment : network.segments) {
     if (segment.kind != SegmentKind::strand) continue;
-    sum += motion_.closing[static_cast<std::size_t>(segment.finger - 1)];
+    sum += segment.way() * motion_.closing[static_cast<std::size_t>(segment.finger - 1)];
   }
   return sum;
 }

@@ -35,25 +35,38 @@ std::array<Keys, block_keys> hanging(const Routing& routing) {
 
 }  // namespace
 
+void FingerLedger::refuse(const PlacedToken& placed, const char* what) const {
+  word_.fail(placed.at,
+             {.what = fmt::format("finger {} {}: it has two strands", placed.token.finger, what),
+              .expected = "it passed once, or two tied ends: 1x and 1x (flexors), or 1x and 1e (an "
+                          "extensor)",
+              .form = InputForm::unknown});
+}
+
 void FingerLedger::pass(const PlacedWalk& walk) {
   for (const PlacedToken& placed : walk) {
-    if (!is_of_finger(placed.token.kind)) continue;
-    if (std::exchange(passed_[placed.token.finger], true)) {
-      word_.fail(
-          placed.at,
-          {.what = fmt::format("finger {} is passed twice: it has two strands and one tendon",
-                               placed.token.finger),
-           .expected = "another finger for a second flexor, which grasps hold with it, and another "
-                       "routing for an extensor",
-           .form = InputForm::unknown});
+    const Token& token = placed.token;
+    if (!is_of_finger(token.kind)) continue;
+    Entry& entry = entries_[token.finger];
+    const bool passes = token.kind == TokenKind::finger;
+    if (entry.passed || (passes && entry.ends > 0)) {
+      refuse(placed, passes && entry.passed ? "is passed twice" : "is passed and tied");
     }
-    highest_ = std::max<int>(highest_, placed.token.finger);
+    highest_ = std::max<int>(highest_, token.finger);
+    entry.passed = passes;
+    if (passes) continue;
+    if (token.tip == TipKind::back && ++entry.extensors == 2) refuse(placed, "has two extensors");
+    if (++entry.ends == 3) refuse(placed, "has three tied ends");
+    if (entry.ends == 2 && ++second_tendons_ > most_second_tendons) {
+      word_.fail(placed.at, {.what = fmt::format("more than {} fingers have two tied ends",
+                                                 most_second_tendons)});
+    }
   }
 }
 
 void FingerLedger::require_no_gap() const {
   for (std::size_t f = 1; f < static_cast<std::size_t>(highest_); ++f) {
-    if (passed_[f]) continue;
+    if (entries_[f].passed || entries_[f].ends > 0) continue;
     word_.fail(
         {.what = fmt::format("finger {} is missing; fingers are numbered 1 to {} without a gap", f,
                              highest_)});

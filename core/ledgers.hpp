@@ -1,4 +1,5 @@
-// Ledgers hold what all walks of a word must add up to: fingers without a gap, each once; motors
+// Ledgers hold what all walks of a word must add up to: fingers without a gap, each passed once
+// or tied once or twice; motors
 // without a gap; blocks and bars that are whole and do not hang on themselves.
 #pragma once
 
@@ -23,9 +24,18 @@ class FingerLedger {
   void require_no_gap() const;
 
  private:
+  struct Entry {
+    bool passed = false;
+    int ends = 0;
+    int extensors = 0;
+  };
+
+  [[noreturn]] void refuse(const PlacedToken& placed, const char* what) const;
+
   Word word_;
-  std::array<bool, max_fingers + 1> passed_{};
+  std::array<Entry, max_fingers + 1> entries_{};
   int highest_ = 0;
+  int second_tendons_ = 0;
 };
 
 class CarriageLedger {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -68,13 +69,23 @@ class Expansion {
     const int left = finger_of(tendon.walk[i]);
     const int right = finger_of(behind(tendon, i));
     if (left != 0) {
-      const bool anchored = tendon.walk[i].kind == TokenKind::anchored_tip;
-      net_.segments.push_back({SegmentKind::strand, 2 * left - (anchored ? 1 : 0), left});
+      add_strand(tendon.walk[i], 2 * left);
     } else if (right != 0) {
-      net_.segments.push_back({SegmentKind::strand, 2 * right - 1, right});
+      add_strand(behind(tendon, i), 2 * right - 1);
     } else {
       net_.segments.push_back({SegmentKind::hand, ++hand_, 0});
     }
+  }
+
+  // A walk passes a finger from its odd strand to its even one.
+  void add_strand(const Token& token, int passed) {
+    const bool extensor = token.tip == TipKind::back;
+    int number = passed;
+    if (token.kind == TokenKind::anchored_tip) {
+      const bool second = extensor || std::exchange(has_flexor_[token.finger], true);
+      number = 2 * token.finger - (second ? 0 : 1);
+    }
+    net_.segments.push_back({SegmentKind::strand, number, token.finger, 1, extensor});
   }
 
   void add_motor_side(const Token& token) {
@@ -137,6 +148,7 @@ class Expansion {
 
   Network& net_;
   std::array<std::size_t, block_keys> index_{};
+  std::array<bool, max_fingers + 1> has_flexor_{};
   int motor_side_ = 0;
   int hand_ = 0;
 };
@@ -186,6 +198,24 @@ void number_trees(Network& network) {
   }
 }
 
+namespace {
+
+bool shares_fingers(const Network& network) {
+  std::array<std::size_t, max_fingers + 1> tree_of{};
+  for (const TendonSpan& tendon : network.tendons) {
+    for (std::size_t i = 0; i < tendon.segments; ++i) {
+      const Segment& segment = network.segments[tendon.first_segment + i];
+      if (segment.kind != SegmentKind::strand) continue;
+      std::size_t& tree = tree_of[static_cast<std::size_t>(segment.finger)];
+      if (segment.extensor || (tree != 0 && tree != tendon.tree + 1)) return true;
+      tree = tendon.tree + 1;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 void expand(const Routing& routing, Network& network) {
   network.segments.clear();
   network.contacts.clear();
@@ -200,6 +230,7 @@ void expand(const Routing& routing, Network& network) {
   for (const Segment& segment : network.segments) {
     network.fingers = std::max(network.fingers, segment.finger);
   }
+  network.shared = shares_fingers(network);
 }
 
 bool is_tied(const Network& network, const TendonSpan& tendon) {

@@ -7,7 +7,7 @@
 //   T, B    tube or bearing contact between the neighbouring segments
 //   M       a motor-side segment, behind a sheath contact; M2 on another motor's carriage
 //   P       sheath – motor-side segment – bearing contact – motor-side segment – sheath
-//   F, 1x   nothing: the neighbouring segment just ends
+//   F, 1x   nothing: the neighbouring segment just ends; a second 1x and 1e have the strand T(2f)
 //   Y1      inside a walk: a contact on the block, between the neighbouring segments
 //   W1      inside a walk: likewise the bar between its arms, a contact of a given tension ratio
 //   Y1, Y1k, W1 as an end: the neighbouring segment is tied to the block
@@ -36,8 +36,12 @@ struct Segment {
   int number = 0;    // strands: 2f-1 or 2f; otherwise counted from 1 within the kind
   int finger = 0;    // strands only
   int carriage = 1;  // motor sides only: the motor's number
+  bool extensor = false;
 
-  // Finger and carriage follow from these.
+  // Length that the strand gives up per dl of its finger.
+  double way() const { return extensor ? -1 : 1; }
+
+  // The rest follows from these.
   friend bool operator==(const Segment& a, const Segment& b) {
     return a.kind == b.kind && a.number == b.number;
   }
@@ -102,6 +106,8 @@ struct Network {
   std::vector<Block> blocks;  // sorted by number, then the bars
   int fingers = 0;
   bool split = false;  // a finger's strands may lie on two tendons (seizure.hpp)
+  // A finger has an extensor, or strands of two trees (shared_kinematics.hpp).
+  bool shared = false;
 };
 
 // Rebuilds `network` for another routing; keeps its memory.

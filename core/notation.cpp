@@ -114,17 +114,18 @@ class WordParser {
 
 Token WordParser::read_finger(const PlacedText& at) const {
   const NumberedText read = read_number(at.text, max_fingers);
-  if (!read.suffix.empty() && read.suffix != "b" && read.suffix != "x") {
+  if (!read.suffix.empty() && read.suffix != "b" && read.suffix != "x" && read.suffix != "e") {
     word_.fail(
         at, {.value = shown_text(at.text),
-             .expected = "behind the finger number no suffix (tube at the fingertip), b (bearing) "
-                         "or x (the tendon is tied there)"});
+             .expected = "behind the finger number no suffix (tube at the fingertip), b (bearing), "
+                         "x (the tendon is tied there) or e (tied on the back: an extensor)"});
   }
   if (!read.number) {
     word_.fail(at, {.value = shown_text(at.text),
                     .expected = fmt::format("a finger number from 1 to {}", max_fingers)});
   }
   if (read.suffix == "x") return anchored_tip(*read.number);
+  if (read.suffix == "e") return anchored_tip(*read.number, TipKind::back);
   return finger(*read.number, read.suffix == "b" ? TipKind::bearing : TipKind::tube);
 }
 
@@ -346,7 +347,7 @@ void print_token(std::string& word, const Token& token) {
   }
   if (is_on_carriage(token.kind) && token.carriage > 1) word += std::to_string(token.carriage);
   if (is_of_finger(token.kind)) word += fmt::format_int(token.finger).c_str();
-  if (token.kind == TokenKind::anchored_tip) word += 'x';
+  if (token.kind == TokenKind::anchored_tip) word += token.tip == TipKind::back ? 'e' : 'x';
   if (token.tip == TipKind::bearing) word += 'b';
   if (is_of_block(token.kind)) {
     word += is_of_bar(token.kind) ? 'W' : 'Y';

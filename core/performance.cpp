@@ -1,16 +1,21 @@
 #include "core/performance.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace reeve::core {
 namespace {
 
-// Fingers round whose tip the tendon runs.
-int tips(const Network& network) {
-  return static_cast<int>(
+// Ends tied at fingertips. A tip that the tendon runs round joins two strands.
+int anchors(const Network& network) {
+  const auto strands =
+      std::count_if(network.segments.begin(), network.segments.end(),
+                    [](const Segment& segment) { return segment.kind == SegmentKind::strand; });
+  const auto tips =
       std::count_if(network.contacts.begin(), network.contacts.end(),
-                    [](const Contact& contact) { return contact.place == ContactPlace::tip; }));
+                    [](const Contact& contact) { return contact.place == ContactPlace::tip; });
+  return static_cast<int>(strands - 2 * tips);
 }
 
 // Removes an excess over 1 of a few units in the last place. If nothing is lost, the products of
@@ -32,14 +37,15 @@ FingerArray pulls_by_finger(const Network& network, const TensionState& state) {
   for (std::size_t i = 0; i < network.segments.size(); ++i) {
     const Segment& segment = network.segments[i];
     if (segment.kind == SegmentKind::strand) {
-      pull[static_cast<std::size_t>(segment.finger)] += state.tension[i];
+      pull[static_cast<std::size_t>(segment.finger)] += segment.way() * state.tension[i];
     }
   }
   return pull;
 }
 
 FingerPulls finger_pulls(const Network& network, const TensionState& state) {
-  const FingerArray pull = pulls_by_finger(network, state);
+  FingerArray pull = pulls_by_finger(network, state);
+  for (double& each : pull) each = std::abs(each);
   const auto* const first = pull.begin() + 1;
   const auto [least, greatest] = std::minmax_element(first, first + network.fingers);
   return network.fingers == 0 ? FingerPulls{} : FingerPulls{*least, *greatest};
@@ -67,7 +73,8 @@ StrandTally strand_tally(const Network& network, const TensionState& state, Dire
   for (std::size_t i = 0; i < network.segments.size(); ++i) {
     const Segment& segment = network.segments[i];
     if (segment.kind != SegmentKind::strand) continue;
-    tally.add(state.tension[i], state.closing[static_cast<std::size_t>(segment.finger - 1)]);
+    tally.add(state.tension[i],
+              segment.way() * state.closing[static_cast<std::size_t>(segment.finger - 1)]);
   }
   const bool pull = direction == Direction::pull;
   const double gained = pull ? tally.work : state.motor_work;
@@ -144,7 +151,7 @@ PartCount parts(const Network& network) {
     if (contact.kind == ContactKind::bearing) count_bearing(contact, count);
   }
   for (const Block& block : network.blocks) ++(block.is_bar ? count.bars : count.blocks);
-  count.anchors = network.fingers - tips(network);
+  count.anchors = anchors(network);
   count.fixed_ends = untied_ends(network) - count.anchors;
   count.knots = static_cast<int>(std::count_if(network.tendons.begin(), network.tendons.end(),
                                                [](const TendonSpan& t) { return t.closed; }));

@@ -1,7 +1,8 @@
 // Measures how well a routing pulls the fingers in one grasp.
 //
 //   uniformity          min_i T_i / max_i T_i over the strands
-//   finger uniformity   min_f P_f / max_f P_f over the fingers, P_f the sum over its strands;
+//   finger uniformity   min_f P_f / max_f P_f over the fingers, P_f the sum over its flexors less
+//                       that over its extensor, or the reverse where it is greater;
 //                       to be used if some fingers have one strand (1x) and some two
 //   motor efficiency    Σ_i T_i dl_i / Σ_c T_Mc D_c: useful work over the work of all motors c,
 //                       T_M D of one
@@ -32,10 +33,10 @@ struct Performance {
 // One value for each of fingers 1 … n, at its number.
 using FingerArray = std::array<double, max_fingers + 1>;
 
-// The sum of each finger's strand tensions.
+// The sum of each finger's strand tensions, an extensor's negative.
 FingerArray pulls_by_finger(const Network& network, const TensionState& state);
 
-// The same over the fingers; 0 without fingers.
+// Their sizes over the fingers; 0 without fingers.
 struct FingerPulls {
   double least = 0;
   double greatest = 0;
@@ -82,7 +83,7 @@ struct PartCount {
   int knots = 0;   // one for each loop, whose ends must be tied
   int blocks = 0;  // floating blocks at the hand
   int bars = 0;
-  int anchors = 0;  // fingertips to which a tendon is tied
+  int anchors = 0;  // ends tied at fingertips
   // Counts that prices tell apart (part_prices.hpp); the first three are among the pulleys.
   int tip_bearings = 0;
   int fixed_pulleys = 0;    // B

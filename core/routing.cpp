@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 
 namespace reeve::core {
 namespace {
@@ -42,10 +43,22 @@ int finger_count(const Tendon& tendon) {
                     [](const Token& token) { return is_of_finger(token.kind); }));
 }
 
+std::vector<std::uint8_t> second_tendons(const Routing& routing) {
+  std::vector<std::uint8_t> fingers;
+  std::array<bool, max_fingers + 1> seen{};
+  for (const Tendon& tendon : routing.tendons) {
+    for (const Token& token : tendon.walk) {
+      if (!is_of_finger(token.kind) || token.finger == 0) continue;
+      if (std::exchange(seen[token.finger], true)) fingers.push_back(token.finger);
+    }
+  }
+  return fingers;
+}
+
 int finger_count(const Routing& routing) {
   int count = 0;
   for (const Tendon& tendon : routing.tendons) count += finger_count(tendon);
-  return count;
+  return count - static_cast<int>(second_tendons(routing).size());
 }
 
 BlockCount block_count(const Routing& routing) {

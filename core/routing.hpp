@@ -1,10 +1,10 @@
 // A routing: how the tendons of one or several motors are led through the fingers of a hand.
 //
 // A routing is a set of tendons, and a tendon is the walk of tokens that a person follows along it
-// with a finger: ends (M, F, 1x), fingers (1, 2, …) and joins at the hand (T, B) or on the carriage
-// (P). M2 and P2 are those of a second motor, and so on. Floating blocks (Y1, Y2, …) and bars (W1,
-// …) hang on some tendons and are pulled by others: they tie tendons together. Values only;
-// notation.hpp reads and writes them, network.hpp expands them to segments and contacts.
+// with a finger: ends (M, F, 1x, 1e), fingers (1, 2, …) and joins at the hand (T, B) or on the
+// carriage (P). M2 and P2 are those of a second motor, and so on. Floating blocks (Y1, Y2, …) and
+// bars (W1, …) hang on some tendons and are pulled by others: they tie tendons together. Values
+// only; notation.hpp reads and writes them, network.hpp expands them to segments and contacts.
 #pragma once
 
 #include <boost/container/small_vector.hpp>
@@ -23,7 +23,7 @@ namespace reeve::core {
 enum class TokenKind : std::uint8_t {
   motor_end,       // M: tied to the carriage, through a sheath
   fixed_end,       // F: fixed at the hand
-  anchored_tip,    // 1x: tied at that fingertip; the finger has one strand
+  anchored_tip,    // 1x, 1e: tied at that fingertip, in front or on the back; one strand
   block_tail,      // Y1 as an end: pulls the block away from the strands that pass it
   becket,          // Y1k: tied to the block on the side of its sheaves
   bar_pivot,       // W1 as an end: pulls a rigid bar at its pivot
@@ -35,7 +35,8 @@ enum class TokenKind : std::uint8_t {
   movable_pulley,  // P: … round a pulley on the carriage, through a sheath on each side
 };
 
-enum class TipKind : std::uint8_t { tube, bearing };
+// The back is that of an anchored tip whose tendon extends the finger (1e).
+enum class TipKind : std::uint8_t { tube, bearing, back };
 
 // The tensions of a bar's left and right neighbour stand in this ratio, in lowest terms.
 struct ArmRatio {
@@ -57,7 +58,7 @@ struct WrapAngle {
 
 struct Token {
   TokenKind kind = TokenKind::fixed_end;
-  TipKind tip = TipKind::tube;  // fingers only
+  TipKind tip = TipKind::tube;  // fingers and anchored tips only
   std::uint8_t finger = 0;      // fingers and anchored tips only, from 1
   std::uint8_t block = 0;       // blocks and bars only, from 1
   ArmRatio arms = {};           // bar_arms only
@@ -77,8 +78,8 @@ constexpr Token fixed_end() { return plain(TokenKind::fixed_end); }
 constexpr Token finger(int number, TipKind tip = TipKind::tube) {
   return {TokenKind::finger, tip, static_cast<std::uint8_t>(number)};
 }
-constexpr Token anchored_tip(int finger) {
-  return {TokenKind::anchored_tip, TipKind::tube, static_cast<std::uint8_t>(finger)};
+constexpr Token anchored_tip(int finger, TipKind tip = TipKind::tube) {
+  return {TokenKind::anchored_tip, tip, static_cast<std::uint8_t>(finger)};
 }
 // block_pass, block_tail or becket of the block with this number.
 constexpr Token block(TokenKind kind, int number) {
@@ -128,10 +129,10 @@ struct Tendon {
   friend bool operator==(const Tendon&, const Tendon&) = default;
 };
 
-// Fingers are numbered 1 … n without a gap, and each is passed, or anchors a tendon, once. Blocks
-// have any numbers, and so have bars: Y1 and W1 are two things. Each has a tail and a pass, a
-// becket or arms, and none hangs on itself: from a block to the blocks that its tails' tendons
-// pass, and so on, there is no way back.
+// Fingers are numbered 1 … n without a gap, and each is passed once, or anchors one or two ends of
+// tendons. Blocks have any numbers, and so have bars: Y1 and W1 are two things. Each has a tail and
+// a pass, a becket or arms, and none hangs on itself: from a block to the blocks that its tails'
+// tendons pass, and so on, there is no way back.
 struct Routing {
   std::vector<Tendon> tendons;
 
@@ -154,6 +155,11 @@ inline constexpr int max_carriages = 6;
 
 int finger_count(const Routing& routing);
 int finger_count(const Tendon& tendon);
+// Fingers that anchor a second end, in the order of those ends. A token without a number is of a
+// finger of its own.
+std::vector<std::uint8_t> second_tendons(const Routing& routing);
+// Most of them: their numbers are tried in all orders (canonical.hpp).
+inline constexpr int most_second_tendons = 5;
 // Blocks and bars.
 struct BlockCount {
   int blocks = 0;

@@ -73,6 +73,36 @@ Table finger_table(const ShownHand& hand) {
   return table;
 }
 
+Table alone_table(const ShownHand& hand) {
+  Table table{{text_column("motor"), number_column("stroke", "mm")}, {}};
+  for (const ShownHandFinger& finger : hand.fingers) {
+    table.columns.push_back(number_column(fmt::format("finger {}", finger.finger)));
+  }
+  for (std::size_t motor = 0; motor < hand.motors_alone.size(); ++motor) {
+    const HandClosing& closing = hand.motors_alone[motor];
+    std::vector<std::string> cells{motor_name(static_cast<int>(motor) + 1),
+                                   fixed(closing.strokes_mm[motor], 1)};
+    for (const ShownHandFinger& finger : hand.fingers) {
+      cells.push_back(fixed(100 * closing.closed[static_cast<std::size_t>(finger.finger)], 1));
+    }
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+Json alone_json(const ShownHand& hand) {
+  Json json = Json::array();
+  for (const HandClosing& closing : hand.motors_alone) {
+    const std::size_t motor = json.size();
+    json.push_back({{"motor", motor + 1},
+                    {"stroke_mm", number(closing.strokes_mm[motor])},
+                    {"closed", list_json(hand.fingers, [&](const ShownHandFinger& finger) {
+                       return closing.closed[static_cast<std::size_t>(finger.finger)];
+                     })}});
+  }
+  return json;
+}
+
 const char* no_pull_words(NoPull no_pull, int motors) {
   switch (no_pull) {
     case NoPull::blocked:
@@ -264,6 +294,12 @@ std::vector<Section> hand_sections(const ShownHand& hand) {
        {}},
       {"Hand: fingers, and the least force at their tips in any of these grasps",
        finger_table(hand), lines}};
+  if (hand.motors > 1) {
+    sections.push_back(
+        {"Hand: how far fingers close by each motor alone, %, the other carriages standing still",
+         alone_table(hand),
+         {}});
+  }
   append(sections, closing_sections(hand.closings));
   return sections;
 }
@@ -272,6 +308,7 @@ void add_hand(Json& target, const ShownHand& hand) {
   target["fingers"] = list_json(hand.fingers, hand_finger_json);
   target["grasps"] = grasps_json(hand);
   target["motor"] = motor_json(hand);
+  if (hand.motors > 1) target["motors_alone"] = alone_json(hand);
   if (!hand.closings.empty()) target["closings"] = closings_json(hand.closings);
 }
 

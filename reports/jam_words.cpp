@@ -120,19 +120,22 @@ std::string jam_sentence(const std::vector<Grasp>& smallest, const ObjectiveValu
   const double jams = value(values, Objective::jams_all);
   if (!std::isfinite(jams)) return "It has too many fingers to try in which grasps it jams";
   if (smallest.empty()) return "It never jams unless all fingers are held";
-  if (smallest.front() == Grasp{}) return "It jams in every grasp";
+  const MotorGroups groups = motor_groups(network);
+  const bool has_motors = groups.count > 1 || (network.shared && carriage_count(network) > 1);
+  const char* const travel = has_motors ? ", if all carriages travel alike" : "";
+  if (smallest.front() == Grasp{}) {
+    return std::string("It jams in every grasp") + (network.shared ? travel : "");
+  }
   std::string text;
   // One more is no longer to name than to count.
   const std::size_t named =
       smallest.size() == named_jams + 1 ? smallest.size() : std::min(named_jams, smallest.size());
-  const MotorGroups groups = motor_groups(network);
   for (std::size_t i = 0; i < named; ++i) {
     text += (i == 0 ? "" : ", or ") + held_words(smallest[i]) + stalled_in(smallest[i], groups);
   }
   if (smallest.size() > named) text += fmt::format(", or in {} more ways", smallest.size() - named);
   return fmt::format("It jams when {} ({:.0f} of {:.0f} grasps{})", text, jams,
-                     std::ldexp(1.0, fingers) - 1,
-                     groups.count > 1 ? ", if all carriages travel alike" : "");
+                     std::ldexp(1.0, fingers) - 1, travel);
 }
 
 std::string stalled_motors(const Network& network, const TensionState& state) {
@@ -148,6 +151,9 @@ std::string stalled_motors(const Network& network, const TensionState& state) {
 
 std::string jam_mark(const Network& network, const TensionState& state) {
   if (!state.jams) return "";
+  if (state.opposed > 0) {
+    return fmt::format(" (jams: tendons of finger {} oppose each other)", state.opposed);
+  }
   const std::string stalled = stalled_motors(network, state);
   return " (" + (stalled.empty() ? "jams" : stalled) + ")";
 }

@@ -42,6 +42,7 @@ void for_each_contact(const Network& network, Visit visit) {
 
 Json grasp_json(const Network& network, const ShownGrasp& shown) {
   Json json{{"held", held_fingers(shown.grasp)}, {"jams", shown.state.jams}};
+  if (shown.state.opposed > 0) json["opposed_finger"] = shown.state.opposed;
   add_ends(json, shown.grasp);
   if (carriage_count(network) > 1) {
     json["motors"] = list_json(motor_tensions(network, shown.state), number);

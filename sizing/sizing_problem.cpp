@@ -6,6 +6,7 @@
 
 #include "causes/model_solver.hpp"
 #include "core/error.hpp"
+#include "core/graph.hpp"
 #include "core/network.hpp"
 #include "core/notation.hpp"
 #include "numerics/robust.hpp"
@@ -42,6 +43,7 @@ GoalEvaluator::GoalEvaluator(const Routing& routing, Goal goal, GraspSet grasps,
     weights_[static_cast<Index>(g)] = grasps_[g].weight;
   }
   weights_ /= weights_.sum();
+  require_single_tendons(network_, to_word(routing_), "sizing");
 }
 
 double GoalEvaluator::value(const Model& model) const {

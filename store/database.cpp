@@ -160,6 +160,10 @@ std::optional<SQLite::Database> open_store(const fs::path& file, Access access) 
   if (!is_there(file, access)) return std::nullopt;
   return in_database(file, [&]() -> std::optional<SQLite::Database> {
     SQLite::Database database = readable_database(file);
+    // SQLite takes a file shorter than a page of its own for an empty one, and writes over it.
+    if (fs::file_size(file) > 0 && pragma(database, "page_count") == 0) {
+      throw SQLite::Exception("file is not a database", SQLITE_NOTADB);
+    }
     const int application = pragma(database, "application_id");
     const int version = pragma(database, "user_version");
     if (application == 0 && version == 0 && is_empty(database)) {

@@ -151,6 +151,7 @@ class HandStudy {
     shown.demand.no_pull = no_pull(network_, plain_, shown.demand.grasp, shown.demand.weakest);
     add_forces(shown);
     add_closing(grasps, shown);
+    if (shown.motors > 1) shown.motors_alone = closings_of_each_motor(shown.motors);
     shown.closings = shown_closings(hand_, network_.fingers);
     return shown;
   }
@@ -220,6 +221,18 @@ class HandStudy {
                 working_pull(finger, pulls.fingers[f + 1]) * closings[f] * travel_mm / mm_in_m;
           }
         });
+  }
+
+  std::vector<HandClosing> closings_of_each_motor(int motors) const {
+    std::vector<HandClosing> closings;
+    Kinematics kinematics;
+    Motion motion;
+    for (int motor = 0; motor < motors; ++motor) {
+      CarriageTravels alone{static_cast<std::uint8_t>(motors), {}};
+      alone.over_D[static_cast<std::size_t>(motor)] = 1;
+      closings.push_back(close_hand(hand_, network_, plain_, kinematics, motion, alone));
+    }
+    return closings;
   }
 
   void add_closing(const GraspSet& grasps, ShownHand& shown) {

@@ -137,6 +137,8 @@ struct ShownHand {
   MotorDemand demand;
   MotorParts motor;
   int motors = 1;
+  // Of several motors each by itself, from the open hand on: the other carriages stand still.
+  std::vector<HandClosing> motors_alone{};
   // The motor force with its quantile over draws, where somebody asked for it; its nominal one is
   // that of the demand.
   std::optional<MotorForce> drawn{};

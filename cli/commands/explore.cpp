@@ -189,8 +189,8 @@ int run(const ExploreInputs& inputs, const ExploreFlags& flags, const CLI::App& 
                   report.sweep ? "sweep.csv, " : "", report.result.record ? "shard.json, " : ""),
       flags.out, flags.format);
   if (!partial_note(report).empty()) return interrupted;
-  const bool any_was_actuated = report.result.evaluated + report.result.without_tensions.count > 0;
-  const bool none_is_left = any_was_actuated && report.top.empty();
+  // A shard may have none where the whole has some.
+  const bool none_is_left = report.top.empty() && !report.result.record;
   return none_is_left || misses_target(report.target) ? answer_is_no : done;
 }
 

@@ -66,14 +66,17 @@ std::string command_text(const SimulateFlags& flags) {
   return text;
 }
 
-// With the word in place of a name of the catalogue: seized_contact[TR5,T1-T2].
-std::string with_word(const std::string& cause, const Catalogue& catalogue) {
-  const std::size_t begin = cause.find('[') + 1;
-  if (begin == 0) return cause;
-  const std::size_t end = std::min(cause.find_first_of(",]", begin), cause.size());
-  const CatalogueEntry* entry = catalogue.find_name(cause.substr(begin, end - begin));
-  if (entry == nullptr) return cause;
-  return cause.substr(0, begin) + to_word(entry->routing) + cause.substr(end);
+// With words in place of names of the catalogue: seized_contact[TR5,T1-T2], law[gain of a of TR5].
+std::string with_words(const std::string& cause, const Catalogue& catalogue) {
+  std::string result = cause.substr(0, cause.find('['));
+  for (std::size_t begin = result.size(); begin < cause.size();) {
+    const std::size_t end = std::min(cause.find_first_of(" ,]", begin + 1), cause.size());
+    const CatalogueEntry* entry = catalogue.find_name(cause.substr(begin + 1, end - begin - 1));
+    result += entry == nullptr ? cause.substr(begin, end - begin)
+                               : cause[begin] + to_word(entry->routing);
+    begin = end;
+  }
+  return result;
 }
 
 Setting read_setting(const std::string& text) {
@@ -90,7 +93,7 @@ Setting read_setting(const std::string& text) {
 std::vector<NamedEffect> read_causes(const SimulateFlags& flags, const Catalogue& catalogue) {
   std::vector<NamedEffect> causes;
   for (const Given& given : options_in_order(*flags.command)) {
-    if (given.option == flags.cause) causes.push_back({with_word(given.value, catalogue), {}});
+    if (given.option == flags.cause) causes.push_back({with_words(given.value, catalogue), {}});
     if (given.option != flags.set) continue;
     if (causes.empty()) {
       throw InputError({.what = "--set",

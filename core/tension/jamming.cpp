@@ -110,7 +110,7 @@ void JamFinder::find(const Network& network, const Mechanics& mechanics) {
   count_ = 0;
   closing_.assign(static_cast<std::size_t>(network.fingers), 0.0);
   block_travel_.assign(network.blocks.size(), 0.0);
-  if (network.split) {
+  if (network.split || network.shared) {
     TreeJams& jams = next();
     jams.fingers = network.fingers == 0 ? 0 : ~std::uint64_t{0} >> (64 - network.fingers);
     const auto moves = [&](Grasp grasp) {

@@ -1,8 +1,8 @@
 // Finds the grasps in which the carriage is blocked, among all sets of held fingers but that of all
 // fingers.
 //
-// A grasp jams if some tree of tendons gives nothing to the carriage (kinematics.hpp). No two trees
-// share a finger, so each tree jams or moves by its own held fingers, and of n fingers
+// A grasp jams if some tree of tendons gives nothing to the carriage (kinematics.hpp). If no two
+// trees share a finger, each jams or moves by its own held fingers, and of n fingers
 //
 //   grasps that jam = 2^n − 1 − Π_t m_t,    m_t: sets of held fingers with which tree t moves
 //
@@ -24,7 +24,8 @@
 
 namespace reeve::core {
 
-// More fingers than these of one tree that has to be tried, or of a network that is split, are not
+// More fingers than these of one tree that has to be tried, or of a network that is split or
+// shared, are not
 // tried: 2^16 sets take a second.
 inline constexpr int most_fingers_tried = 16;
 
@@ -39,7 +40,7 @@ class JamFinder {
   std::vector<Grasp> smallest(const Network& network, const Mechanics& mechanics);
 
  private:
-  // The jams are those of one tree, or of a split network as a whole.
+  // The jams are those of one tree, or of a split or shared network as a whole.
   struct TreeJams {
     std::uint64_t fingers = 0;
     bool tried = false;  // each set of its fingers, or none of them can jam

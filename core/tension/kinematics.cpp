@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/tension/shared_kinematics.hpp"
 #include "core/tension/split_kinematics.hpp"
 #include "core/tension/tree_kinematics.hpp"
 
@@ -80,7 +81,7 @@ void impose_travel(const Network& network, const Mechanics& mechanics, const Ten
       motion.imposed[i] = sign * end_travel(network, mechanics, grasp, i);
     } else if (closes(segment, grasp)) {
       const double dl = closing_of(segment);
-      motion.imposed[i] = -sign * dl;
+      motion.imposed[i] = -sign * segment.way() * dl;
       motion.closing[static_cast<std::size_t>(segment.finger - 1)] = dl;
     }
     motion.take_up[i] = std::max(0.0, -motion.imposed[i]);
@@ -213,10 +214,15 @@ void Kinematics::solve_tree(const Network& network, const Mechanics& mechanics, 
 
 void Kinematics::solve_split(const Network& network, const Mechanics& mechanics, Grasp grasp,
                              Direction direction, Motion& motion) {
-  if (!ends_move_alike(network, mechanics, grasp)) {
+  if (network.shared && (network.split || !mechanics.slack_mm.empty())) {
+    motion.fault = TensionFault::beside_second_tendon;
+  } else if (network.split && !ends_move_alike(network, mechanics, grasp)) {
     motion.fault = TensionFault::ends_unlike_at_seizure;
   }
-  SplitClosing split = split_closing(network, mechanics, grasp);
+  SplitClosing split = network.shared ? shared_closing(network, mechanics, grasp)
+                                      : split_closing(network, mechanics, grasp);
+  if (split.fault != TensionFault::none) motion.fault = split.fault;
+  motion.opposed = split.opposed;
   motion.block_travel = split.block_travel;
   const auto found = [&](const Segment& segment) {
     return split.closing[static_cast<std::size_t>(segment.finger - 1)];
@@ -281,7 +287,8 @@ void Kinematics::solve(const Network& network, const Mechanics& mechanics, Grasp
   motion.block_travel.assign(network.blocks.size(), 0.0);
   motion.fault = TensionFault::none;
   motion.slack.clear();
-  if (network.split) {
+  motion.opposed = 0;
+  if (network.split || network.shared) {
     solve_split(network, mechanics, grasp, direction, motion);
     return;
   }

@@ -24,6 +24,8 @@
 // Tendons that blocks tie together close as tree_kinematics.hpp says; a block that moves by z adds
 // z to what is imposed on the segments that it pulls, and takes z from its tails.
 //
+// Fingers that trees share, and extensors, close as shared_kinematics.hpp says.
+//
 // docs/model.md, sections 2 and 3, derives this.
 #pragma once
 
@@ -43,10 +45,11 @@ struct Motion {
   std::vector<char> jams;
   std::vector<char> slack;                  // one per tendon; empty if none is
   TensionFault fault = TensionFault::none;  // that of one tendon or tree, or of all of them
+  int opposed = 0;  // finger that other tendons do not let close or open; 0 if none jams so
   std::vector<double> imposed;
   std::vector<double> take_up;
   std::vector<double> slip;          // at D = 1; exactly 0 where the contact does not slide
-  std::vector<double> closing;       // dl of fingers 1 … n at D = 1, positive also in release
+  std::vector<double> closing;       // dl of fingers 1 … n at D = 1, as it would be in a pull
   std::vector<double> block_travel;  // z of the blocks at D = 1, as it would be in a pull
 
   bool is_slack(std::size_t tendon) const { return !slack.empty() && slack[tendon] != 0; }

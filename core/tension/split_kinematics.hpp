@@ -25,6 +25,7 @@
 #include "core/grasp.hpp"
 #include "core/mechanics.hpp"
 #include "core/network.hpp"
+#include "core/tension/tension_fault.hpp"
 
 namespace reeve::core {
 
@@ -33,6 +34,9 @@ struct SplitClosing {
   std::vector<char> jams;       // one per tendon
   std::vector<char> slack;      // one per tendon
   std::vector<double> block_travel;
+  // Of shared_kinematics.hpp:
+  TensionFault fault = TensionFault::none;
+  int opposed = 0;  // finger whose tendons ask for two closings, if it jams so
 };
 
 SplitClosing split_closing(const Network& network, const Mechanics& mechanics, Grasp grasp);

@@ -141,6 +141,7 @@ void TensionSolver::solve_in_motion(const Network& network, const Mechanics& mec
   state.tension.resize(network.segments.size());
   state.jams = std::find(motion_.jams.begin(), motion_.jams.end(), 1) != motion_.jams.end();
   state.fault = motion_.fault;
+  state.opposed = motion_.opposed;
   state.in_range = mechanics.in_range && state.fault == TensionFault::none;
   solve_tendons(network, mechanics, state);
   state.slip.swap(motion_.slip);

@@ -39,8 +39,9 @@ namespace reeve::core {
 struct TensionState {
   bool jams = false;     // no finger of some tendon can move: the carriage is blocked
   bool in_range = true;  // otherwise the tensions are no numbers
-  TensionFault fault = TensionFault::none;            // and this says why
-  std::vector<double> tension;                        // N per N of motor tension; T_M is 1
+  TensionFault fault = TensionFault::none;  // and this says why
+  int opposed = 0;              // finger that a second tendon does not let move: why it jams
+  std::vector<double> tension;  // N per N of motor tension; T_M is 1
   std::array<double, max_carriages> motor_tension{};  // likewise, of each motor's carriage
   double motor_work = 1;                              // Σ T_M D over the motors, per T_M D
   std::vector<double> slip;                           // left to right, per unit of carriage travel

@@ -17,6 +17,10 @@ const char* words_of(TensionFault fault) {
       return "tendons that blocks join jam while a carriage lets out";
     case TensionFault::ends_unlike_at_seizure:
       return "beside a seized contact every end at a motor has to travel alike, without slack";
+    case TensionFault::beside_second_tendon:
+      return "beside a second tendon on a finger, seized contacts and slack are not computed";
+    case TensionFault::uneven_sharing:
+      return "a block ties several tendons unevenly to a finger that has a second tendon";
     case TensionFault::slack_remains:
       return "every tendon is still slack after the whole carriage travel";
     case TensionFault::nothing_pulls:

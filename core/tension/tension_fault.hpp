@@ -14,6 +14,8 @@ enum class TensionFault : std::uint8_t {
   finger_opens,            // the motion asks a finger to open
   jams_while_let_out,      // tendons that a tree then leaves slack are not found
   ends_unlike_at_seizure,  // ends at motors do not all travel D, beside a seized contact
+  beside_second_tendon,    // seized contacts or slack, and a finger that trees share
+  uneven_sharing,          // closings of a tree that shares fingers are not all in one ratio
   slack_remains,           // no tendon is taut after the whole travel
   nothing_pulls,           // every end at a motor stands still
   out_of_double,           // friction is so strong that no double holds the tensions

@@ -17,6 +17,19 @@ double closing_weight(const Mechanics& mechanics, int finger) {
   return mechanics.closing[static_cast<std::size_t>(finger) - 1];
 }
 
+// 1, or −1 for a finger that the tree can only open.
+double way_of(const Network& network, std::size_t tree, int finger) {
+  if (!network.shared) return 1;
+  const auto closes_it = [&](const TendonSpan& tendon) {
+    const auto* const first = network.segments.data() + tendon.first_segment;
+    return tendon.tree == tree &&
+           std::any_of(first, first + tendon.segments, [&](const Segment& segment) {
+             return segment.finger == finger && !segment.extensor;
+           });
+  };
+  return std::any_of(network.tendons.begin(), network.tendons.end(), closes_it) ? 1 : -1;
+}
+
 // The tendons and blocks of a tree as rows and columns of equations, in the order of the network.
 struct TreeColumns {
   Eigen::Index tendons = 0;
@@ -45,14 +58,15 @@ struct CommonClosing {
 
   bool drives = false;  // some carriage pulls
   bool lets_out = false;
-  bool closes = false;  // some finger
+  bool closes = false;    // some finger
+  bool has_room = false;  // though it moves no finger
   bool exact = false;
   bool unique = false;
   Vector blocks;
   double closing = 0;
 
   CommonClosing(const Network& network, const Mechanics& mechanics, Grasp grasp, std::size_t tree,
-                const TreeColumns& columns) {
+                const std::vector<double>& given, const TreeColumns& columns) {
     Matrix matrix = Matrix::Zero(columns.tendons, columns.blocks + 1);
     Vector motor = Vector::Zero(columns.tendons);
     Eigen::Index row = 0;
@@ -66,20 +80,32 @@ struct CommonClosing {
           },
           [&](int finger, double factor) {
             closes = true;
-            matrix(row, columns.blocks) -= factor * closing_weight(mechanics, finger);
+            matrix(row, columns.blocks) -=
+                factor * way_of(network, tree, finger) * closing_weight(mechanics, finger);
+            if (!given.empty()) motor(row) -= factor * given[static_cast<std::size_t>(finger) - 1];
           },
           [&](std::size_t block, double factor) {
             matrix(row, columns.of_block[block]) += factor;
           });
       ++row;
     }
-    if (!closes && !lets_out) return;
+    if (network.shared && columns.blocks == 0 && matrix.isZero(0)) {
+      closes = lets_out = false;
+      drives = motor(0) > length_tolerance;
+      has_room = motor(0) < -length_tolerance;
+    }
+    if (stands_still(network)) return;
     const Eigen::ColPivHouseholderQR<Matrix> qr(matrix);
     const Vector x = qr.solve(-motor);
     exact = (matrix * x + motor).cwiseAbs().maxCoeff() < length_tolerance;
     unique = qr.rank() == columns.blocks + (closes ? 1 : 0);
     blocks = x.head(columns.blocks);
     closing = x(columns.blocks);
+  }
+
+  // A tree that only lets out stands still if other trees share the fingers that it would open.
+  bool stands_still(const Network& network) const {
+    return !closes && (!lets_out || (network.shared && !drives));
   }
 };
 
@@ -152,7 +178,8 @@ TreeState write_closings(const Network& network, Grasp grasp, std::size_t tree,
       if (!closes(segment, grasp)) continue;
       const double dl = closing_of(segment.finger);
       if (dl < -length_tolerance) return undetermined(TensionFault::finger_opens);
-      closing[static_cast<std::size_t>(segment.finger) - 1] = std::max(dl, 0.0);
+      closing[static_cast<std::size_t>(segment.finger) - 1] =
+          way_of(network, tree, segment.finger) * std::max(dl, 0.0);
     }
   }
   return moves;
@@ -160,14 +187,13 @@ TreeState write_closings(const Network& network, Grasp grasp, std::size_t tree,
 
 template <int Most>
 TreeState solve_with(const Network& network, const Mechanics& mechanics, Grasp grasp,
-                     std::size_t tree, const TreeColumns& columns, std::vector<double>& closing,
-                     std::vector<double>& block_travel) {
-  const CommonClosing<Most> common(network, mechanics, grasp, tree, columns);
-  if (!common.closes && !common.lets_out) {
-    return common.drives ? jams : moves;
-  }
+                     std::size_t tree, const std::vector<double>& given, const TreeColumns& columns,
+                     std::vector<double>& closing, std::vector<double>& block_travel) {
+  const CommonClosing<Most> common(network, mechanics, grasp, tree, given, columns);
+  if (common.stands_still(network)) return {.jams = common.drives, .slack = common.has_room};
   if (common.exact) {
     if (!common.unique) return undetermined(TensionFault::blocks_free);
+    if (network.shared && common.closing < -length_tolerance) return {.slack = true};
     write_blocks(columns, common.blocks.data(), block_travel);
     const auto shared = [&](int finger) {
       return common.closing * closing_weight(mechanics, finger);
@@ -177,6 +203,7 @@ TreeState solve_with(const Network& network, const Mechanics& mechanics, Grasp g
   const TreeMotion nearly = nearly_common_closing(network, mechanics, grasp, tree, columns);
   if (nearly.state.jams && common.lets_out) return undetermined(TensionFault::jams_while_let_out);
   if (!nearly.state.moves()) return nearly.state;
+  if (network.shared) return undetermined(TensionFault::uneven_sharing);
   write_blocks(columns, nearly.blocks.data(), block_travel);
   const auto found = [&](int finger) {
     return nearly.closings[static_cast<std::size_t>(finger) - 1];
@@ -240,13 +267,15 @@ bool travel_ratios(const Network& network, const Mechanics& mechanics, std::size
 
 TreeState solve_tree_kinematics(const Network& network, const Mechanics& mechanics, Grasp grasp,
                                 std::size_t tree, std::vector<double>& closing,
-                                std::vector<double>& block_travel) {
+                                std::vector<double>& block_travel,
+                                const std::vector<double>& given) {
   constexpr int small = 8;
   const TreeColumns columns(network, tree);
   if (columns.tendons <= small && columns.blocks < small) {
-    return solve_with<small>(network, mechanics, grasp, tree, columns, closing, block_travel);
+    return solve_with<small>(network, mechanics, grasp, tree, given, columns, closing,
+                             block_travel);
   }
-  return solve_with<Eigen::Dynamic>(network, mechanics, grasp, tree, columns, closing,
+  return solve_with<Eigen::Dynamic>(network, mechanics, grasp, tree, given, columns, closing,
                                     block_travel);
 }
 

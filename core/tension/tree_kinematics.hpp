@@ -28,7 +28,8 @@ namespace reeve::core {
 
 struct TreeState {
   bool jams = false;
-  TensionFault fault = TensionFault::none;  // blocks_free, finger_opens or jams_while_let_out
+  TensionFault fault = TensionFault::none;  // that of one tree
+  bool slack = false;  // other trees close its fingers by more than it asks for
 
   bool moves() const { return !jams && fault == TensionFault::none; }
 };
@@ -95,7 +96,7 @@ void for_each_term(const Network& network, const Mechanics& mechanics, const Ten
     if (segment.kind == SegmentKind::motor_side) {
       on_motor(weight * end_travel(network, mechanics, grasp, i));
     }
-    if (closes(segment, grasp)) on_closing(segment.finger, weight);
+    if (closes(segment, grasp)) on_closing(segment.finger, weight * segment.way());
   });
   for_each_pull(network, tendon, [&](std::size_t, std::size_t block, double sign, double weight) {
     on_block(block, sign * weight);
@@ -112,9 +113,11 @@ bool travel_ratios(const Network& network, const Mechanics& mechanics, std::size
                    std::vector<double>& ratios);
 
 // Writes the tree's part of `closing` (of fingers 1 … n) and of `block_travel` (of the network's
-// blocks), both for a pull.
+// blocks), both for a pull. In a shared network the fingers close by `given` through other trees,
+// `closing` is beyond that, and a tree whose strands on a finger are extensors opens it.
 TreeState solve_tree_kinematics(const Network& network, const Mechanics& mechanics, Grasp grasp,
                                 std::size_t tree, std::vector<double>& closing,
-                                std::vector<double>& block_travel);
+                                std::vector<double>& block_travel,
+                                const std::vector<double>& given = {});
 
 }  // namespace reeve::core

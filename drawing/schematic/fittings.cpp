@@ -82,7 +82,10 @@ class Assembly {
     if (strand.kind != SegmentKind::strand || !is_anchored(net_, strand.finger)) return;
     const auto finger = static_cast<std::size_t>(strand.finger - 1);
     // `1x-F`: either end is the tip.
-    if (!out_.fittings[finger].ports.empty()) return;
+    const auto is_tip = [&](std::size_t port) {
+      return port != nowhere && out_.ports[port].fitting == finger;
+    };
+    if (std::ranges::any_of(out_.segments[segment].port, is_tip)) return;
     out_.segments[segment].port[side] = add_port(finger, PortRole::strand);
   }
 

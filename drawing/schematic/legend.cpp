@@ -18,13 +18,14 @@ struct SymbolMeaning {
 };
 
 constexpr double legend_size = 12;
-constexpr std::array<SymbolMeaning, 10> legend_entries{
+constexpr std::array<SymbolMeaning, 11> legend_entries{
     {{LegendSymbol::tube, "tube", &DrawnParts::tubes},
      {LegendSymbol::bearing, "bearing", &DrawnParts::bearings},
      {LegendSymbol::sheath, "sheath", &DrawnParts::sheaths},
      {LegendSymbol::fixed, "fixed (F)", &DrawnParts::fixed},
      {LegendSymbol::tied, "tied (M)", &DrawnParts::tied},
      {LegendSymbol::anchored, "tied (1x)", &DrawnParts::anchors},
+     {LegendSymbol::extensor, "back (1e)", &DrawnParts::extensors},
      {LegendSymbol::block, "block (Y)", &DrawnParts::blocks},
      {LegendSymbol::bar, "bar (W)", &DrawnParts::bars},
      {LegendSymbol::slides, "slides", nullptr, true},
@@ -60,6 +61,8 @@ std::string legend_symbol(const LegendItem& item) {
       return symbols::knot(centre, 10);
     case LegendSymbol::anchored:
       return symbols::anchor(centre, 5);
+    case LegendSymbol::extensor:
+      return symbols::extensor(centre, 5);
     case LegendSymbol::block: {
       DrawnBlock block;
       block.axles = {{centre.x, centre.y - 3}};
@@ -103,7 +106,10 @@ DrawnParts drawn_parts(const Network& network) {
   parts.sheaths = count.sheaths > 0;
   parts.fixed = count.fixed_ends > 0;
   parts.tied = count.sheaths > 2 * count.movable_pulleys;
-  parts.anchors = count.anchors > 0;
+  const auto extensors = std::ranges::count_if(
+      network.segments, [](const Segment& strand) { return strand.extensor; });
+  parts.anchors = count.anchors > extensors;
+  parts.extensors = extensors > 0;
   parts.blocks = count.blocks > 0;
   parts.bars = count.bars > 0;
   return parts;

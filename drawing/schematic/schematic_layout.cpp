@@ -210,7 +210,7 @@ class Layouter {
     drawn.path = path(i);
     for (const std::size_t side : {0U, 1U}) add_end(i, side, drawn);
     const bool strand = segment.kind == SegmentKind::strand;
-    label(strand ? strand_label(segment)
+    label(strand ? strand_label(i)
                  : LabelPlace{moved(places_.labels[i].top), places_.labels[i].align},
           drawn);
     out_.segments.push_back(std::move(drawn));
@@ -255,19 +255,33 @@ class Layouter {
     const PortRole role = all_.ports[port].role;
     if (role == PortRole::clamp) out_.ends.push_back({EndHold::fixed, at, -1});
     if (role == PortRole::strand && all_.ports[port].twin == nowhere) {
-      out_.ends.push_back({EndHold::anchored, at, -1});
+      const bool extensor = net_.segments[segment].extensor;
+      out_.ends.push_back({extensor ? EndHold::extensor : EndHold::anchored, at, -1});
     } else if (is_tail(role) || role == PortRole::becket) {
       out_.ends.push_back({EndHold::block, at, 1});
     }
   }
 
-  LabelPlace strand_label(const Segment& strand) const {
+  LabelPlace strand_label(std::size_t segment) const {
+    const Segment& strand = net_.segments[segment];
     const auto f = static_cast<std::size_t>(strand.finger - 1);
     const double upper = palm_ - 6 - label_height - label_step;
     const double middle = left_ + places_.fingers[f];
-    if (is_anchored(net_, strand.finger)) return {{middle, upper}, Align::start};
-    if (strand.number % 2 == 1) return {{middle - tip_radius, upper}, Align::start};
+    bool left = strand.number % 2 == 1;
+    if (is_anchored(net_, strand.finger)) {
+      const double offset = tied_offset(segment);
+      if (offset == 0) return {{middle, upper}, Align::start};
+      left = offset < 0;
+    }
+    if (left) return {{middle - tip_radius, upper}, Align::start};
     return {{middle + tip_radius, upper + label_step}, Align::end};
+  }
+
+  // Offset of the fingertip's port to which a strand is tied.
+  double tied_offset(std::size_t segment) const {
+    const std::array<std::size_t, 2>& ports = all_.segments[segment].port;
+    const bool first = ports[0] != nowhere && all_.ports[ports[0]].role == PortRole::strand;
+    return all_.ports[ports[first ? 0 : 1]].offset;
   }
 
   static void label(const LabelPlace& place, DrawnSegment& drawn) {

@@ -46,6 +46,7 @@ enum class EndHold : std::uint8_t {
   fixed,     // held at the hand
   tied,      // held at the carriage
   anchored,  // held at a fingertip
+  extensor,  // held at its back
   block,     // held at a block's eye or a bar's hole
 };
 
@@ -91,6 +92,7 @@ enum class LegendSymbol : std::uint8_t {
   fixed,
   tied,
   anchored,
+  extensor,
   block,
   bar,
   slides,
@@ -105,6 +107,7 @@ struct DrawnParts {
   bool fixed = false;
   bool tied = false;
   bool anchors = false;
+  bool extensors = false;
   bool blocks = false;
   bool bars = false;
   bool slack = false;

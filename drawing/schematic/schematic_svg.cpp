@@ -113,6 +113,9 @@ std::string ends(const SchematicLayout& layout) {
       case EndHold::anchored:
         content += symbols::anchor(end.at, knot_size / 2);
         break;
+      case EndHold::extensor:
+        content += symbols::extensor(end.at, knot_size / 2);
+        break;
       case EndHold::block:
         break;
     }

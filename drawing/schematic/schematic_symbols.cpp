@@ -125,6 +125,8 @@ std::string knot(Point at, double size) {
 
 std::string anchor(Point at, double radius) { return circle(at, radius, solid); }
 
+std::string extensor(Point at, double radius) { return circle(at, radius, paper); }
+
 std::string shell(const DrawnBlock& block) {
   const Box box = beam(block);
   // Within a legend there is less room.

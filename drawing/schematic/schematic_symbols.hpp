@@ -25,6 +25,7 @@ std::string fixation(const DrawnEnd& end, double width, double depth);
 std::string knot(Point at, double size);
 // A tendon's end at a fingertip.
 std::string anchor(Point at, double radius);
+std::string extensor(Point at, double radius);
 // The shell of a block's sheaves, which narrows to its tail; or a bar.
 std::string shell(const DrawnBlock& block);
 // The rings at which tendons are tied to the block.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/graph.hpp"
 #include "core/mechanics.hpp"
 #include "core/motor_sides.hpp"
 #include "core/notation.hpp"
@@ -153,6 +154,7 @@ std::string mjcf(const Routing& routing, const Hardware& hardware, const MjcfOri
   require_no_springs(hardware, "none in an export to MuJoCo");
   const MechanicsBuilder mechanics(hardware);
   Network network = expand(routing);
+  require_single_tendons(network, to_word(routing), "the export");
   RopePlan plan = rope_plan(routing, network);
   RigLayout layout = rig_layout(network, hardware);
   const MjcfRig rig{std::move(network), std::move(plan), std::move(layout)};

@@ -47,7 +47,8 @@ void ContactQuantileFinder::read(const Network& network, const TensionState& sta
     const Segment& segment = network.segments[i];
     if (segment.kind != SegmentKind::strand) continue;
     logs.push_back(log_of(state.tension[i]));
-    work += state.tension[i] * state.closing[static_cast<std::size_t>(segment.finger) - 1];
+    work += state.tension[i] * segment.way() *
+            state.closing[static_cast<std::size_t>(segment.finger) - 1];
   }
   logs.push_back(log_of(work));
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/graph.hpp"
 #include "core/hand_closing.hpp"
 #include "core/notation.hpp"
 
@@ -141,12 +142,14 @@ double DesignEvaluator::travel() {
     if (kind == SegmentKind::motor_side) motor_sides += mechanics_.spool(i);
   }
   if (strands == 0) return 0;
-  if (network_.blocks.empty() && !blocks_the_carriage(network_)) return strands / motor_sides;
+  if (network_.blocks.empty() && !network_.shared && !blocks_the_carriage(network_)) {
+    return strands / motor_sides;
+  }
   kinematics_.solve(network_, mechanics_, Grasp{}, Direction::pull, motion_);
   double closing = 0;
   for (const Segment& segment : network_.segments) {
     if (segment.kind != SegmentKind::strand) continue;
-    closing += motion_.closing[static_cast<std::size_t>(segment.finger - 1)];
+    closing += segment.way() * motion_.closing[static_cast<std::size_t>(segment.finger - 1)];
   }
   return strands / closing;
 }
@@ -235,6 +238,9 @@ ContactQuantiles DesignEvaluator::contact_quantiles() {
 
 void DesignEvaluator::find_outcome(const Routing& routing, const EvaluationScope& scope) {
   set_routing(routing);
+  if (evaluates_hand(scope)) {
+    require_single_tendons(network_, to_word(routing), "the hand of the hardware file");
+  }
   is_shared_ = shared_ && shared_->set_routing(routing);
   if (scope.indicators) given_up_equivalent_ = closing_alike_.given_up(network_, mechanics_);
   outcome_.grasps.clear();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/graph.hpp"
 #include "search/enumerate/checked.hpp"
 
 namespace reeve::search {
@@ -226,7 +227,9 @@ std::vector<std::uint64_t> LimitedGenerator::verdicts_before(std::uint64_t place
 }
 
 std::optional<std::uint64_t> LimitedGenerator::place_of(const Routing& routing) {
-  if (finger_count(routing) != fingers_) return std::nullopt;
+  if (finger_count(routing) != fingers_ || second_tendon(expand(routing)) != nullptr) {
+    return std::nullopt;
+  }
   if (!has_blocks(routing)) return tendons_.place_of(routing);
   if (!trees_ || (block_count(routing).bars > 0 && !bars_)) return std::nullopt;
   const auto place = trees_->place_of(routing);

@@ -1,5 +1,6 @@
 #include "core/notation.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -183,7 +184,7 @@ TEST(NotationError, AnchoredTipsAndBecketsStandAtEnds) {
   expect_fault("M-1x-T-2-F", 3, "'1x'" + inside);
   expect_fault("M-Y1k-1x", 3, "'Y1k'" + inside);
   expect_fault("1x-2-F", 4, "between two fingers a join is needed: T, B, P or a block before '2'");
-  EXPECT_NE(message("1x-P-1x").find("column 6: finger 1 is passed twice"), std::string::npos);
+  expect_fault("M-1x-P-F", 3, "'1x'" + inside);
 }
 
 TEST(NotationError, ABarHasTwoArms) {
@@ -219,16 +220,27 @@ TEST(NotationError, UnknownToken) {
 TEST(NotationError, UnknownSuffixOfAFinger) {
   expect_fault("M-1c-F", 3,
                "'1c': expected behind the finger number no suffix (tube at the "
-               "fingertip), b (bearing) or x (the tendon is tied there)");
+               "fingertip), b (bearing), x (the tendon is tied there) or e (tied on the back: an "
+               "extensor)");
 }
 
-TEST(NotationError, FingerPassedTwice) {
-  const std::string twice =
-      "finger 1 is passed twice: it has two strands and one tendon; expected another finger for a "
-      "second flexor, which grasps hold with it, and another routing for an extensor";
+TEST(NotationError, MoreThanTwoStrandsOfAFinger) {
+  const auto fault = [](const std::string& what) {
+    return "finger 1 " + what +
+           ": it has two strands; expected it passed once, or two tied ends: 1x and 1x (flexors), "
+           "or 1x and 1e (an extensor)";
+  };
+  const std::string twice = fault("is passed twice");
   expect_fault("M-1-T-1-F", 7, twice);
   expect_fault("M-1-F+M-1-F", 9, twice);
   expect_fault("1-P-2-T-1-T-1", 9, twice);
+  expect_fault("M-1-F+M-1x", 9, fault("is passed and tied"));
+  expect_fault("M-1e+M-1-F", 8, fault("is passed and tied"));
+  expect_fault("M-1x+M-1x+M-1e", 13, fault("has three tied ends"));
+  expect_fault("M-1e+M-1e", 8, fault("has two extensors"));
+  std::string many = "M-1x+M-1x";
+  for (int f = 2; f <= 6; ++f) many += fmt::format("+M-{0}x+M-{0}e", f);
+  EXPECT_NE(message(many).find("more than 5 fingers have two tied ends"), std::string::npos);
 }
 
 TEST(Notation, TakesBlanksAroundAWord) {

@@ -57,6 +57,7 @@ TEST(KeysOfShow, AddTheForceAndStrokeOfEachOfSeveralMotors) {
   ASSERT_EQ(drawn["motors"].size(), 2U);
   EXPECT_EQ(keys(drawn["motors"][1]), "motor force_N stroke_mm");
   EXPECT_EQ(drawn["motors"][1]["motor"], 2);
+  EXPECT_EQ(keys(json["hand"]["motors_alone"][1]), "motor stroke_mm closed");
 }
 
 TEST(KeysOfRank, AddAHandWhereTheHardwareHasOne) {

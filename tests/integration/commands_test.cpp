@@ -354,6 +354,12 @@ TEST(Explore, IsNotPartialThoughNoDesignIsKept) {
   EXPECT_TRUE(explored.summary()["top"].empty());
 }
 
+TEST(Explore, OfRoutingsThatNoMotorPullsAnswersNo) {
+  const Explored explored("--ends F --joins T");
+  EXPECT_EQ(explored.result.exit_code, 1);
+  EXPECT_TRUE(explored.summary()["top"].empty());
+}
+
 TEST(Explore, SaysWhyAKnownRoutingHasNoRank) {
   const Json without_pulleys = Explored("--joins T --constraint sheaths<=1").summary();
   for (const Json& known : without_pulleys["known"]) {

@@ -20,6 +20,28 @@ Json hand_json(Arguments arguments) {
   return Json::parse(result.out);
 }
 
+// M pulls fingers 1 and 2 of one tendon, which share its two ends; M2 pulls finger 3.
+TEST(HandOfTheCommands, SaysWhatEachMotorDoesAlone) {
+  const Json hand = hand_json({"show", "M-1-T-2-M+M2-3-F"})["hand"];
+  const auto excursion = [&](std::size_t f) { return hand["fingers"][f]["excursion_mm"]; };
+  const Json& alone = hand["motors_alone"];
+  ASSERT_EQ(alone.size(), 2U);
+  EXPECT_EQ(alone[0]["closed"], Json({1, 1, 0}));
+  EXPECT_EQ(alone[1]["closed"], Json({0, 0, 1}));
+  EXPECT_NEAR(alone[0]["stroke_mm"], excursion(0).get<double>() + excursion(1).get<double>(), 1e-9);
+  EXPECT_NEAR(alone[1]["stroke_mm"], 2 * excursion(2).get<double>(), 1e-9);
+  EXPECT_FALSE(hand_json({"show", "M-1-T-2-T-3-F"})["hand"].contains("motors_alone"));
+}
+
+// The other end of a tendon does not yield.
+TEST(HandOfTheCommands, NeedsTwiceTheStrokeOfAMotorAloneOnATendonOfTwo) {
+  const Json hand = hand_json({"show", "M-1-T-2-T-3-M2"})["hand"];
+  for (const Json& motor : hand["motors_alone"]) {
+    EXPECT_EQ(motor["closed"], Json({1, 1, 1}));
+    EXPECT_NEAR(motor["stroke_mm"], 2 * hand["stroke"].get<double>(), 1e-9);
+  }
+}
+
 TEST(HandOfTheCommands, IsTheSameInShowRankAndExplore) {
   const TemporaryFolder folder;
   const Json shown = hand_json({"show", design_of_the_document})["hand"];

@@ -72,6 +72,15 @@ ProcessResult simulate(const Arguments& options) {
   return reeve(arguments);
 }
 
+TEST(Simulate, TakesNamesOfTheCatalogueInSitesOfLaws) {
+  const auto with_tube_of = [](const std::string& routing) {
+    const std::string law = "law[exponent of tube 1 in pull of " + routing + ", cycle, linear]";
+    const std::string csv = simulate({"--cause", law, "--set", "a=0.0001"}).out;
+    return csv.substr(csv.find("\nrun,"));  // without the lines of the command
+  };
+  EXPECT_EQ(with_tube_of("TR5"), with_tube_of("M-1-P-2-M"));
+}
+
 TEST(Simulate, WritesTheSameBytesForTheSameSeedWhereverTheyGo) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "a.csv").string();

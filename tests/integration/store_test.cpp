@@ -146,10 +146,12 @@ TEST_F(Stored, RefusesAnotherVersionOfTheProgram) {
 }
 
 TEST_F(Stored, RefusesAFileThatIsNotAStore) {
-  folder_.write("s.db", "rank,front,routing\n1,1,M-1-T-2-F\n");
   const std::string start = "--store: s.db: ";
-  expect_bad(explore({}), start + "it is no SQLite database (file is not a database)");
-  EXPECT_EQ(read_text(store()), "rank,front,routing\n1,1,M-1-T-2-F\n");
+  for (const std::string text : {"rank,front,routing\n1,1,M-1-T-2-F\n", "x"}) {
+    folder_.write("s.db", text);
+    expect_bad(explore({}), start + "it is no SQLite database (file is not a database)");
+    EXPECT_EQ(read_text(store()), text);
+  }
   fs::remove(store());
   execute(store(), "CREATE TABLE cats (name TEXT)");
   const std::string cats = read_text(store());

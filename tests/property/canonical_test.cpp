@@ -35,6 +35,19 @@ RC_GTEST_PROP(CanonicalProperty, DoesNotDependOnHowTendonsAreWalkedAndListedNorO
   }
 }
 
+RC_GTEST_PROP(CanonicalProperty, OfSecondTendonsDoesNotDependOnHowTheyAreWritten, ()) {
+  Dice dice = any_dice();
+  const Routing routing = testing::with_several_motors(dice, testing::random_shared_routing(dice));
+  RC_ASSERT(parse_routing(to_word(routing)) == routing);
+  for (const FingerIdentity identity : {FingerIdentity::identical, FingerIdentity::distinct}) {
+    const Routing once = canonical(routing, identity);
+    RC_ASSERT(canonical(once, identity) == once);
+    RC_ASSERT(canonical(disguised(routing, dice), identity) == once);
+  }
+  RC_ASSERT(canonical(disguised(renamed(routing, dice), dice), FingerIdentity::identical) ==
+            canonical(routing, FingerIdentity::identical));
+}
+
 RC_GTEST_PROP(CanonicalProperty, OfIdenticalFingersNumbersMotorsInTheOrderOfTheWord, ()) {
   const Routing routing = canonical(*testing::any_routing(), FingerIdentity::identical);
   int highest = 0;

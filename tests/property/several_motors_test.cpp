@@ -1,5 +1,7 @@
-// Routings of several motors, whose carriages move as the grasp says, and of ends on spools of
+// Routings of several motors, whose carriages move as the grasp says, with second tendons on
+// fingers, and of ends on spools of
 // their own, locked, or behind springs and slack, against the independent solver.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -126,6 +128,7 @@ struct SeenMotors {
   int turns = 0;         // … and no finger closes
   int stands_still = 0;  // a carriage
   int refused = 0;
+  int opposed = 0;   // tendons that share fingers
   int unsolved = 0;  // by the library alone
 };
 
@@ -169,9 +172,14 @@ void compare(const MotorTrial& trial, SeenMotors& seen) {
     return;
   }
   const testing::ComparisonTolerance tight{1e-9, 1e-15, 1e-9};
-  EXPECT_EQ(
-      testing::disagreement(trial.word, reference(), testing::observed(network, m, state), tight),
-      "");
+  const ReferenceResult expected = reference();
+  seen.opposed += expected.opposed;
+  EXPECT_EQ(expected.jams, state.jams);
+  if (!expected.opposed) {
+    EXPECT_EQ(
+        testing::disagreement(trial.word, expected, testing::observed(network, m, state), tight),
+        "");
+  }
   count(trial, state, seen);
 }
 
@@ -264,13 +272,91 @@ TEST(SeveralMotorsProperty, LockedEndsSpringsAndSlackAreThoseOfAnIndependentSolv
   for (const int cases : {locked, sprung, slack}) EXPECT_GT(cases, trials / 5);
 }
 
+TEST(SeveralMotorsProperty, SecondTendonsAreThoseOfAnIndependentSolver) {
+  constexpr int trials = 3000;
+  SeenMotors seen;
+  int shared = 0;
+  int opening = 0;
+  for (std::uint64_t seed = 1; seed <= trials; ++seed) {
+    Dice dice(seed);
+    MotorTrial trial = random_motor_trial(dice, testing::random_shared_routing(dice));
+    const Network network = expand(parse_routing(trial.word));
+    if (!network.shared) continue;
+    ++shared;
+    trial.laws.spool = random_spools(dice, network);
+    SCOPED_TRACE(std::to_string(seed) + ": " + to_text(trial));
+    compare(trial, seen);
+    if (::testing::Test::HasFailure()) return;
+    TensionState state;
+    TensionSolver().solve(network, testing::mechanics_of(network, trial.laws), trial.grasp,
+                          Direction::pull, state);
+    opening +=
+        std::any_of(state.closing.begin(), state.closing.end(), [](double way) { return way < 0; });
+  }
+  EXPECT_GT(seen.solved - seen.jams, shared / 5);
+  EXPECT_GT(seen.opposed, shared / 20);
+  EXPECT_GT(opening, shared / 50);
+  EXPECT_EQ(seen.unsolved, 0);
+}
+
+// The same word with another tendon on each tied finger, which its motor lets out, or holds still
+// while its finger closes.
+std::string with_idle_tendons(const std::string& word, const Network& network, int motor) {
+  std::string idle = word;
+  for (int f = 1; f <= network.fingers; ++f) {
+    const auto strand = [&](int side) {
+      return find_segment(network, {SegmentKind::strand, 2 * f - 2 + side, f}).has_value();
+    };
+    if (strand(1) && !strand(2)) idle += fmt::format("+M{}-{}e", motor, f);
+  }
+  return idle;
+}
+
+TEST(SeveralMotorsProperty, IdleSecondTendonsChangeNothing) {
+  int with_idle = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    Dice dice(seed);
+    const Routing one = parse_routing(testing::random_mechanism(dice));
+    const std::string word = to_word(one);
+    const Network network = expand(one);
+    if (carriage_count(one) == max_carriages || network.fingers > most_second_tendons) continue;
+    const std::string idle_word = with_idle_tendons(word, network, carriage_count(one) + 1);
+    const Network idle_network = expand(parse_routing(idle_word));
+    if (!idle_network.shared) continue;
+    const ReferenceHardware laws = testing::random_reference_hardware(dice, word);
+    Grasp grasp = testing::random_grasp(dice, network.fingers);
+    TensionState state;
+    TensionSolver().solve(network, testing::mechanics_of(network, laws), grasp, Direction::pull,
+                          state);
+    if (!state.in_range) continue;
+    grasp.carriages.given = static_cast<std::uint8_t>(carriage_count(one) + 1);
+    grasp.carriages.over_D[grasp.carriages.given - std::size_t{1}] = -50;
+    TensionState idle;
+    TensionSolver().solve(idle_network, testing::mechanics_of(idle_network, laws), grasp,
+                          Direction::pull, idle);
+    SCOPED_TRACE(std::to_string(seed) + ": " + idle_word + ", held " + to_text(grasp));
+    if (idle.fault == TensionFault::uneven_sharing) continue;
+    ASSERT_EQ(idle.jams, state.jams);
+    ++with_idle;
+    for (std::size_t i = 0; i < network.segments.size(); ++i) {
+      ASSERT_NEAR(idle.tension[i], state.tension[i], 1e-12);
+    }
+    for (std::size_t f = 0; f < state.closing.size(); ++f) {
+      ASSERT_NEAR(idle.closing[f], state.closing[f], 1e-12);
+    }
+  }
+  EXPECT_GT(with_idle, 50);
+}
+
 // Σ T_i dl_i + Σ friction force × slip = Σ_c T_Mc D_c, T_Mc = Σ r_i T_i.
 TEST(SeveralMotorsProperty, EfficiencyIsOneWithoutFrictionAndLessWithIt) {
   int without = 0;
   int with = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     Dice dice(seed);
-    MotorTrial trial = random_motor_trial(dice, testing::random_routing(dice, {1, 4, true, true}));
+    const Routing one = dice.chance(0.5) ? testing::random_shared_routing(dice)
+                                         : testing::random_routing(dice, {1, 4, true, true});
+    MotorTrial trial = random_motor_trial(dice, one);
     trial.laws.spool = random_spools(dice, expand(parse_routing(trial.word)));
     trial.direction = Direction::pull;
     if (seed % 2 == 0) {
@@ -283,7 +369,8 @@ TEST(SeveralMotorsProperty, EfficiencyIsOneWithoutFrictionAndLessWithIt) {
     if (!state.in_range || state.jams) continue;
     SCOPED_TRACE(std::to_string(seed) + ": " + to_text(trial));
     const double efficiency = performance(network, state).efficiency;
-    const bool closes = *std::max_element(state.closing.begin(), state.closing.end()) > 0;
+    const bool closes = std::any_of(state.closing.begin(), state.closing.end(),
+                                    [](double way) { return way != 0; });
     if (!closes) {
       EXPECT_EQ(efficiency, 0);
     } else if (seed % 2 == 0) {

@@ -104,6 +104,58 @@ Routing random_routing(Dice& dice, const RoutingRange& range) {
   return routing;
 }
 
+namespace {
+
+// Fingers to pass, and ends at fingertips, in any order.
+struct FingerParts {
+  std::vector<Token> passed;
+  std::vector<Token> ends;
+};
+
+FingerParts random_finger_parts(Dice& dice, int fingers) {
+  FingerParts parts;
+  for (int f = 1; f <= fingers; ++f) {
+    if (dice.chance(0.25)) {
+      parts.passed.push_back(random_finger(dice, f));
+      continue;
+    }
+    parts.ends.push_back(anchored_tip(f));
+    if (dice.chance(0.3))
+      parts.ends.push_back(anchored_tip(f));
+    else if (dice.chance(0.6))
+      parts.ends.push_back(anchored_tip(f, TipKind::back));
+  }
+  dice.shuffle(parts.ends);
+  return parts;
+}
+
+Token taken(std::vector<Token>& tokens) {
+  const Token last = tokens.back();
+  tokens.pop_back();
+  return last;
+}
+
+}  // namespace
+
+Routing random_shared_routing(Dice& dice) {
+  FingerParts parts = random_finger_parts(dice, dice.integer(1, 4));
+  Routing routing;
+  while (!parts.ends.empty() || !parts.passed.empty()) {
+    Tendon tendon;
+    tendon.walk.push_back(parts.ends.empty() ? random_end(dice) : taken(parts.ends));
+    add_joins(dice, 1, tendon);
+    while (!parts.passed.empty() && dice.chance(0.5)) {
+      tendon.walk.push_back(taken(parts.passed));
+      add_joins(dice, 1, tendon);
+    }
+    const bool both = !parts.ends.empty() && dice.chance(0.4);
+    tendon.walk.push_back(both ? taken(parts.ends) : random_end(dice));
+    if (!is_actuated(tendon)) tendon.walk[1] = plain(TokenKind::movable_pulley);
+    routing.tendons.push_back(tendon);
+  }
+  return routing;
+}
+
 Routing with_several_motors(Dice& dice, Routing routing) {
   const int most = dice.chance(0.4) ? 1 : dice.integer(2, 4);
   std::map<int, std::uint8_t> number;  // of the carriages drawn, in the order of the word

@@ -49,6 +49,10 @@ struct RoutingRange {
 // Open tendons and loops, all joins and ends, both tips, joins side by side, several tendons.
 Routing random_routing(Dice& dice, const RoutingRange& range = {});
 
+// Open tendons without blocks, on fingers that they pass or that anchor one or two of their ends:
+// flexors and extensors.
+Routing random_shared_routing(Dice& dice);
+
 // The same on the carriages of up to four motors, numbered without a gap; often on one.
 Routing with_several_motors(Dice& dice, Routing routing);
 

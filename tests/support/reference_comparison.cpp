@@ -77,7 +77,7 @@ std::string unlike_closings(const ReferenceResult& expected, const ReferenceResu
   for (const auto& [finger, closing] : expected.closing) {
     const auto found = observed.closing.find(finger);
     if (found == observed.closing.end()) return fmt::format("finger {}: not observed", finger);
-    if (!(std::abs(found->second - closing) <= tolerance.movement * (1 + closing)))
+    if (!(std::abs(found->second - closing) <= tolerance.movement * (1 + std::abs(closing))))
       return unlike(fmt::format("closing of finger {}", finger), closing, found->second);
   }
   return {};

@@ -8,6 +8,7 @@
 
 #include "tests/support/reference_limit.hpp"
 #include "tests/support/reference_problem.hpp"
+#include "tests/support/reference_shared.hpp"
 #include "tests/support/reference_tree_solve.hpp"
 #include "tests/support/reference_walk.hpp"
 
@@ -55,11 +56,19 @@ void append_closing(const Tendon& tendon, const Problem& problem, bool moves,
 
 ReferenceResult solve_one_by_one(const std::vector<Tendon>& tendons, const std::set<int>& held,
                                  ReferenceDirection direction, const ReferenceHardware& hardware) {
+  ReferenceResult result{};
   std::vector<Problem> problems;
   problems.reserve(tendons.size());
-  for (const auto& tendon : tendons) problems.push_back(pose(tendon, held, direction, hardware));
-
-  ReferenceResult result{};
+  if (share_fingers(tendons)) {
+    const SharedMotion motion = shared_motion(tendons, held, hardware);
+    result.jams = result.opposed = !motion.possible;
+    if (result.opposed) return result;
+    for (std::size_t t = 0; t < tendons.size(); ++t)
+      problems.push_back(
+          pose_shared(tendons[t], motion.closing, motion.slack[t], direction, hardware));
+  } else {
+    for (const auto& tendon : tendons) problems.push_back(pose(tendon, held, direction, hardware));
+  }
   result.jams = std::any_of(problems.begin(), problems.end(),
                             [](const Problem& problem) { return problem.jams; });
   Real motor = 0;

@@ -93,20 +93,23 @@ struct ReferenceContact {
 
 struct ReferenceResult {
   bool jams;
+  /// Tendons that share fingers ask for two closings: the grasp jams, and only that is said.
+  bool opposed = false;
   /// By segment name (T1, ...; a, b, ...; h1, ...); the motor-side segments sum to 1, each
   /// times its spool's r.
   std::map<std::string, double> tension;
   std::vector<ReferenceContact> contacts;
-  /// Finger -> dl >= 0 at D = 1 (its opening, in release); 0 if held or if the grasp jams.
+  /// Finger -> dl at D = 1 (its opening, in release), below 0 if extensors pull; 0 if held or if
+  /// the grasp jams.
   std::map<int, double> closing;
 };
 
 /// `word` must be valid: tokens M F T B P, M2 and P2 and so on, fingers, plain or with suffix b, 1x
-/// at an end, and blocks Y1, Y1k, W1, W1/2:1. Throws std::invalid_argument on any other token, on a
-/// tendon (a tree) without motor-side segment, and with blocks: on one without tail or without pass
-/// and becket or that hangs on itself, on a bar with more than one pass or with unequal arms in a
-/// loop, where the motion of the blocks is not determined and where it would open a finger.
-/// std::logic_error if the conditions could not be met.
+/// or 1e at an end, and blocks Y1, Y1k, W1, W1/2:1. Throws std::invalid_argument on any other
+/// token, on a tendon (a tree) without motor-side segment, and with blocks: on one without tail or
+/// without pass and becket or that hangs on itself, on a bar with more than one pass or with
+/// unequal arms in a loop, where the motion of the blocks is not determined and where it would open
+/// a finger. std::logic_error if the conditions could not be met.
 ReferenceResult reference_tensions(const std::string& word, const std::set<int>& held,
                                    ReferenceDirection direction, const ReferenceHardware& hardware);
 

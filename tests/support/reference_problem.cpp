@@ -43,7 +43,7 @@ Vector exponents(const Tendon& tendon, const ReferenceHardware& hardware) {
 Vector lengths(const Tendon& tendon, const ReferenceHardware& hardware) {
   Vector length(static_cast<Index>(tendon.segments.size()));
   for (std::size_t i = 0; i < tendon.segments.size(); ++i) {
-    const auto& [name, place, finger, carriage] = tendon.segments[i];
+    const auto& [name, place, finger, carriage, extensor] = tendon.segments[i];
     const double nominal = place == Place::strand       ? hardware.strand_length
                            : place == Place::motor_side ? hardware.motor_side_length
                                                         : hardware.hand_length;
@@ -179,6 +179,29 @@ Problem pose(const Tendon& tendon, const std::set<int>& held, ReferenceDirection
   else
     impose_motion(tendon, weights, motor_travel, direction, hardware, problem);
   if (loose > 0) problem.elastic *= 1 - loose / motor_travel;
+  return problem;
+}
+
+Problem pose_shared(const Tendon& tendon, const std::map<int, Real>& closing, bool slack,
+                    ReferenceDirection direction, const ReferenceHardware& hardware) {
+  Problem problem;
+  problem.length = lengths(tendon, hardware);
+  problem.phi = exponents(tendon, hardware);
+  problem.elastic = Vector::Zero(problem.length.size());
+  problem.slip = Vector::Zero(problem.phi.size());
+  Vector e0 = problem.elastic;
+  for (Index i = 0; i < e0.size(); ++i) {
+    const Segment& segment = tendon.segments[static_cast<std::size_t>(i)];
+    e0(i) = travel(segment, hardware);
+    const auto found = closing.find(segment.finger);
+    if (found == closing.end()) continue;
+    e0(i) = segment.extensor ? found->second : -found->second;
+    problem.closing[segment.finger] = static_cast<double>(found->second);
+  }
+  if (slack) return problem;
+  if (direction == ReferenceDirection::release) e0 = -e0;
+  for (Index i = 0; i < e0.size(); ++i) problem.elastic(i) = e0(i) < 0 ? -e0(i) : 0;
+  problem.slip = zero_order_slips(e0, problem.phi, false);
   return problem;
 }
 

@@ -50,4 +50,9 @@ bool tied(const Problem& problem, Index k);
 Problem pose(const Tendon& tendon, const std::set<int>& held, ReferenceDirection direction,
              const ReferenceHardware& hardware);
 
+// The same of a tendon that shares fingers with others, which close so; nothing is imposed on a
+// slack one.
+Problem pose_shared(const Tendon& tendon, const std::map<int, Real>& closing, bool slack,
+                    ReferenceDirection direction, const ReferenceHardware& hardware);
+
 }  // namespace reeve::testing::reference

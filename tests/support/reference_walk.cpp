@@ -20,7 +20,11 @@ int finger_of(const std::string& token) {
   return std::isdigit(static_cast<unsigned char>(token.at(0))) ? std::stoi(token) : 0;
 }
 
-bool is_anchored(const std::string& token) { return finger_of(token) != 0 && token.back() == 'x'; }
+bool is_extensor(const std::string& token) { return finger_of(token) != 0 && token.back() == 'e'; }
+
+bool is_anchored(const std::string& token) {
+  return is_extensor(token) || (finger_of(token) != 0 && token.back() == 'x');
+}
 
 bool is_on_carriage(const std::string& token, char letter) {
   return token.at(0) == letter && (token.size() == 1 || (token.size() == 2 && token[1] > '1'));
@@ -131,12 +135,21 @@ class Reader {
   }
 
   Segment stretch(const std::string& before, const std::string& after) {
-    if (const int f = finger_of(before))
-      return {"T" + std::to_string(is_anchored(before) ? 2 * f - 1 : 2 * f), Place::strand, f};
+    if (is_anchored(before)) return tied_strand(before);
+    if (const int f = finger_of(before)) return {"T" + std::to_string(2 * f), Place::strand, f};
+    if (is_anchored(after)) return tied_strand(after);
     if (const int f = finger_of(after)) return {"T" + std::to_string(2 * f - 1), Place::strand, f};
     return {"h" + std::to_string(++hands_), Place::hand, 0};
   }
 
+  Segment tied_strand(const std::string& token) {
+    const int f = finger_of(token);
+    const bool second = is_extensor(token) || !flexed_.insert(f).second;
+    return {"T" + std::to_string(second ? 2 * f : 2 * f - 1), Place::strand, f, 0,
+            is_extensor(token)};
+  }
+
+  std::set<int> flexed_;
   int motor_sides_ = 0;
   int hands_ = 0;
 };

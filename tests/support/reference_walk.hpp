@@ -16,6 +16,7 @@ struct Segment {
   Place place;
   int finger;        // 0 if it is no strand
   int carriage = 0;  // of motor sides
+  bool extensor = false;
 };
 
 // A tendon round a sheave of a block, or over the arms of a bar.

@@ -106,7 +106,7 @@ inline double turn_of(const Network& network, const TendonSpan& tendon, std::siz
 // The state as the reference model would tell it, for `disagreement`.
 inline ReferenceResult observed(const Network& network, const Mechanics& m,
                                 const TensionState& state) {
-  ReferenceResult result{state.jams, {}, {}, {}};
+  ReferenceResult result{state.jams, state.opposed > 0, {}, {}, {}};
   for (std::size_t i = 0; i < network.segments.size(); ++i) {
     result.tension[segment_name(network.segments[i])] = state.tension[i];
   }
