@@ -104,7 +104,7 @@ Subject read_subject(const TomlNode& table, SubjectKind kind, const Catalogue& c
   if (of_two || kind == SubjectKind::channel) subject.channel = read_channel(table, "channel");
   if (of_two) {
     subject.other_channel = read_channel(table, "other_channel");
-    if (is_channel(*subject.other_channel, subject)) {
+    if (subject.other_channel == subject.channel) {
       table.find("other_channel")->fail_expected("another one than 'channel'");
     }
   }

@@ -23,54 +23,33 @@ Range valid_range(const Parameter& parameter) {
   return {low > 0 ? low / greatest : low * greatest, high * greatest};
 }
 
-bool has_contact(const Survey& survey, ContactKind kind) {
-  return std::any_of(survey.routings.begin(), survey.routings.end(), [&](const auto& routing) {
-    const std::vector<Contact>& contacts = routing.network->contacts;
-    return std::any_of(contacts.begin(), contacts.end(),
-                       [&](const Contact& contact) { return contact.kind == kind; });
-  });
-}
-
 std::vector<Subject> channel_subjects(const std::vector<Segment>& channels) {
   std::vector<Subject> subjects;
-  for (const Segment& channel : channels) {
-    Subject subject;
-    subject.channel = channel;
-    subjects.push_back(subject);
-  }
-  return subjects;
-}
-
-std::vector<Subject> channel_pair_subjects(const Survey& survey) {
-  constexpr std::size_t most_channels = 16;
-  const std::vector<Segment>& channels = survey.channels;
-  if (channels.size() > most_channels) return {};
-  const auto met = [&](const Segment& a, const Segment& b) {
-    return std::any_of(survey.routings.begin(), survey.routings.end(), [&](const auto& routing) {
-      return find_segment(*routing.network, a) && find_segment(*routing.network, b);
-    });
-  };
-  std::vector<Subject> subjects;
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    for (std::size_t j = i + 1; j < channels.size(); ++j) {
-      if (!met(channels[i], channels[j])) continue;
-      Subject subject;
-      subject.channel = channels[i];
-      subject.other_channel = channels[j];
-      subjects.push_back(subject);
-    }
-  }
+  for (const Segment& channel : channels) subjects.emplace_back().channel = channel;
   return subjects;
 }
 
 Sensor* find_sensor(std::span<Sensor> sensors, const Segment& segment) {
-  const auto found = std::find_if(sensors.begin(), sensors.end(),
-                                  [&](const Sensor& sensor) { return sensor.segment == segment; });
+  const auto found = std::ranges::find(sensors, segment, &Sensor::segment);
   return found == sensors.end() ? nullptr : &*found;
 }
 
-bool is_channel(const Segment& segment, const Subject& subject) {
-  return segment == *subject.channel;
+std::string Cause::subject_name(const Subject& subject) const {
+  switch (subject_kind()) {
+    case SubjectKind::rig:
+      return "";
+    case SubjectKind::channel:
+      return segment_name(*subject.channel);
+    case SubjectKind::channels:
+      return segment_name(*subject.channel) + "," + segment_name(*subject.other_channel);
+    case SubjectKind::finger:
+      return std::to_string(subject.finger);
+    case SubjectKind::grasp:
+      return subject.routing;
+    case SubjectKind::contact:
+      return subject.routing + "," + subject.contact;
+  }
+  return "";
 }
 
 void Cause::read(std::span<Sensor> sensors, const Conditions&, const Effect& effect) const {

@@ -3,9 +3,8 @@
 // A cause acts where its nature is: on the hardware, on the friction exponent of a contact (also as
 // a function of the tension there), on the grasp, on the contacts of a routing, on what arrives of
 // the motor's pull at the tendon, or on what the sensors read. At its nominal value it changes
-// nothing. Each stands in a file of its own, opens with its law, units, literature and source, and
-// has one line in library.cpp; whoever solves, fits, saves or prints models knows causes through
-// this header only.
+// nothing. Each is a row of a table in library/, below its law, units, literature and source;
+// whoever solves, fits, saves or prints models knows causes through this header only.
 #pragma once
 
 #include <cstdint>
@@ -108,24 +107,8 @@ struct Survey {
   std::vector<SurveyedColumn> columns{};
 };
 
-bool has_contact(const Survey& survey, ContactKind kind);
-inline bool has_bearing(const Survey& survey) {
-  return has_contact(survey, ContactKind::bearing) || has_contact(survey, ContactKind::block);
-}
-inline bool has_tube_or_sheath(const Survey& survey) {
-  return has_contact(survey, ContactKind::tube) || has_contact(survey, ContactKind::sheath);
-}
-
-// One subject for each channel of the data.
+// One subject for each channel.
 std::vector<Subject> channel_subjects(const std::vector<Segment>& channels);
-inline std::vector<Subject> channel_subjects(const Survey& survey) {
-  return channel_subjects(survey.channels);
-}
-bool is_channel(const Segment& segment, const Subject& subject);
-
-// Returns the pairs of channels that some routing has both of. Returns none if there are more than
-// 16 channels: those have too many pairs to try.
-std::vector<Subject> channel_pair_subjects(const Survey& survey);
 
 // A contact while the tendon runs through it.
 struct ContactLoad {
@@ -184,7 +167,7 @@ class Cause {
   virtual std::vector<Subject> subjects(const Survey& survey) const = 0;
   virtual SubjectKind subject_kind() const { return SubjectKind::rig; }
   // Returns the text in brackets behind the name; empty if the cause is about the whole rig.
-  virtual std::string subject_name(const Subject&) const { return {}; }
+  virtual std::string subject_name(const Subject& subject) const;
   // True if the name in brackets means the subject, too: a contact's segments in the other order.
   virtual bool is_also_named(const Subject&, std::string_view /*name*/, const Survey&) const {
     return false;
@@ -193,6 +176,11 @@ class Cause {
   // Returns the hardware's law of a kind of contact if the cause is the coefficient of that kind;
   // otherwise nullptr.
   virtual const ContactLaw* law(const Hardware&) const { return nullptr; }
+
+  // True if the cause acts at contacts of this kind.
+  virtual bool acts_at(ContactKind) const { return false; }
+  // Returns the name of the covariate over which the cause shows; empty if there is none.
+  virtual const char* follows() const { return ""; }
 
   // Each of the following is called for causes of its reach only.
   virtual void change_hardware(Hardware&, const Effect&) const {}

@@ -13,7 +13,7 @@ namespace {
 
 std::ptrdiff_t place(const Cause* cause) {
   const auto causes = cause_library();
-  return std::find(causes.begin(), causes.end(), cause) - causes.begin();
+  return std::ranges::find(causes, cause) - causes.begin();
 }
 
 }  // namespace
@@ -53,8 +53,8 @@ Hardware possible_hardware(const Model& model) {
 }
 
 bool reaches(const Model& model, Reach reach) {
-  return std::any_of(model.effects.begin(), model.effects.end(),
-                     [&](const Effect& effect) { return effect.cause->reach() == reach; });
+  return std::ranges::any_of(model.effects,
+                             [&](const Effect& effect) { return effect.cause->reach() == reach; });
 }
 
 bool changes_exponents(const Model& model) {
@@ -63,7 +63,7 @@ bool changes_exponents(const Model& model) {
 }
 
 bool names_routings(const Model& model) {
-  return std::any_of(model.effects.begin(), model.effects.end(), [](const Effect& effect) {
+  return std::ranges::any_of(model.effects, [](const Effect& effect) {
     const Term* term = term_of(*effect.cause);
     return effect.cause->reach() == Reach::contact ||
            (term != nullptr && !term->site.routing.empty());
@@ -72,7 +72,7 @@ bool names_routings(const Model& model) {
 
 bool treats_fingers_alike(const Model& model, int fingers) {
   return core::treats_fingers_alike(effective_hardware(model), fingers) &&
-         std::none_of(model.effects.begin(), model.effects.end(), [&](const Effect& effect) {
+         std::ranges::none_of(model.effects, [&](const Effect& effect) {
            const Term* term = term_of(*effect.cause);
            return term != nullptr && term->site.finger != 0 && term->site.finger <= fingers;
          });
@@ -105,14 +105,6 @@ bool belongs_to_designs(const Effect& effect) {
   return reach != Reach::reading && reach != Reach::grasp && reach != Reach::motor;
 }
 
-std::vector<const Effect*> effects_left_out_of_designs(const Model& model) {
-  std::vector<const Effect*> left_out;
-  for (const Effect& effect : model.effects) {
-    if (!belongs_to_designs(effect)) left_out.push_back(&effect);
-  }
-  return left_out;
-}
-
 Conditions at_tendon(const Model& model, Direction direction, const Conditions& recorded) {
   Conditions result = recorded;
   for (const Effect& effect : model.effects) {
@@ -136,8 +128,8 @@ double reading(const Model& model, const Segment& segment, double tension_N) {
 }
 
 bool reads_linearly(const Model& model) {
-  return std::all_of(model.effects.begin(), model.effects.end(),
-                     [](const Effect& effect) { return effect.cause->reads_linearly(); });
+  return std::ranges::all_of(model.effects,
+                             [](const Effect& effect) { return effect.cause->reads_linearly(); });
 }
 
 }  // namespace reeve::causes

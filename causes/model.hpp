@@ -57,7 +57,6 @@ std::vector<std::size_t> seized_contacts(const Model& model, const std::string& 
 // routing, and what is lost between the motor and the tendons, which is lost to every routing
 // alike; and those that a run or a group has by itself.
 bool belongs_to_designs(const Effect& effect);
-std::vector<const Effect*> effects_left_out_of_designs(const Model& model);
 
 // The conditions as they are at the tendons of a rig whose motor is recorded to pull as they say;
 // its tension is not below 0.

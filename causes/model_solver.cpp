@@ -252,8 +252,7 @@ void ModelSolver::settle_afresh(Grasp grasp, Direction direction, const Conditio
 // balance.
 bool ModelSolver::can_go_on(Grasp grasp, Direction direction) const {
   return depends_on_load_ && is_settled_ && has_motion_ && grasp == grasp_ &&
-         direction == direction_ &&
-         *std::max_element(mechanics_.phi.begin(), mechanics_.phi.end()) < max_exponent;
+         direction == direction_ && *std::ranges::max_element(mechanics_.phi) < max_exponent;
 }
 
 const TensionState& ModelSolver::solve(Grasp grasp, Direction direction,

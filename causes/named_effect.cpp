@@ -76,7 +76,7 @@ std::string list_of_names(const Cause& cause, const std::vector<Subject>& subjec
   std::vector<std::string> names;
   for (const Subject& subject : subjects) {
     const std::string name = name_of(cause, subject);
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
   const bool is_long = names.size() > most;
   if (is_long) names.resize(most);

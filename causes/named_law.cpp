@@ -68,23 +68,21 @@ bool has_run(const std::string& run, const Survey& survey) {
 bool has_site(const Site& site, const Survey& survey) {
   if (!site.group.empty() || (!site.run.empty() && !has_run(site.run, survey))) return false;
   if (site.place == SitePlace::channel) {
-    return std::find(survey.channels.begin(), survey.channels.end(), site.channel) !=
-           survey.channels.end();
+    return std::ranges::find(survey.channels, site.channel) != survey.channels.end();
   }
   if (site.place != SitePlace::contacts) return true;
-  return std::any_of(survey.routings.begin(), survey.routings.end(),
-                     [&](const SurveyedRouting& routing) {
-                       if (!site.routing.empty() && routing.word != site.routing) return false;
-                       std::size_t number = 0;
-                       for (const Contact& contact : routing.network->contacts) {
-                         if (contact.kind != site.kind) continue;
-                         const bool is_it = (site.finger == 0 || contact.finger == site.finger) &&
-                                            (!site.number || *site.number == number);
-                         if (is_it) return true;
-                         ++number;
-                       }
-                       return false;
-                     });
+  return std::ranges::any_of(survey.routings, [&](const SurveyedRouting& routing) {
+    if (!site.routing.empty() && routing.word != site.routing) return false;
+    std::size_t number = 0;
+    for (const Contact& contact : routing.network->contacts) {
+      if (contact.kind != site.kind) continue;
+      const bool is_it = (site.finger == 0 || contact.finger == site.finger) &&
+                         (!site.number || *site.number == number);
+      if (is_it) return true;
+      ++number;
+    }
+    return false;
+  });
 }
 
 Site site_of(const std::string& name, const Survey& survey) {

@@ -64,11 +64,8 @@ Parameter shape_parameter(const Term& term) {
 // Returns the range of f that is searched. An exponent that f would make negative is 0.
 Range size_range(const Term& term) {
   switch (term.target) {
-    case Target::exponent: {
-      const bool scales =
-          term.site.kind == ContactKind::tube || term.site.kind == ContactKind::sheath;
-      return scales ? Range{-2, 5} : Range{-0.5, 2};
-    }
+    case Target::exponent:
+      return is_tube_or_sheath(term.site.kind) ? Range{-2, 5} : Range{-0.5, 2};
     case Target::force:
       return {-10, 10};
     case Target::gain:

@@ -41,13 +41,13 @@ struct Site {
   SitePlace place = SitePlace::contacts;
   ContactKind kind = ContactKind::tube;  // contacts
   int finger = 0;                        // contacts of this one
-  std::optional<bool> held;              // contacts of fingers that an object holds, or of others
-  std::optional<Direction> direction;    // contacts, while the motor moves this way
-  std::string routing;                   // contacts, in this word
-  std::optional<std::size_t> number;     // contacts: that of the kind in the routing, from 0
-  Segment channel;                       // channel
-  std::string run;                       // in this one only
-  std::string group;                     // in this one only
+  std::optional<bool> held{};            // contacts of fingers that an object holds, or of others
+  std::optional<Direction> direction{};  // contacts, while the motor moves this way
+  std::string routing{};                 // contacts, in this word
+  std::optional<std::size_t> number{};   // contacts: that of the kind in the routing, from 0
+  Segment channel{};                     // channel
+  std::string run{};                     // in this one only
+  std::string group{};                   // in this one only
 };
 
 enum class CovariateKind : std::uint8_t {

@@ -17,7 +17,7 @@ constexpr std::array names_of_forms{"constant", "linear",    "log",         "pow
 
 template <typename Enum, std::size_t n>
 std::optional<Enum> enum_named(const std::array<const char*, n>& names, const std::string& name) {
-  const auto found = std::find(names.begin(), names.end(), name);
+  const auto found = std::ranges::find(names, name);
   if (found == names.end()) return std::nullopt;
   return static_cast<Enum>(found - names.begin());
 }
@@ -33,8 +33,7 @@ constexpr std::array named_covariates{NamedCovariate{CovariateKind::load, "load"
                                       NamedCovariate{CovariateKind::temperature, "temperature_C"}};
 
 const NamedCovariate* find_named_covariate(std::string_view name) {
-  const auto* found = std::find_if(named_covariates.begin(), named_covariates.end(),
-                                   [&](const NamedCovariate& each) { return each.name == name; });
+  const auto* found = std::ranges::find(named_covariates, name, &NamedCovariate::name);
   return found == named_covariates.end() ? nullptr : found;
 }
 
@@ -200,9 +199,7 @@ std::string covariate_name(const Covariate& covariate) {
     default:
       break;
   }
-  const auto* named =
-      std::find_if(named_covariates.begin(), named_covariates.end(),
-                   [&](const NamedCovariate& each) { return each.kind == covariate.kind; });
+  const auto* named = std::ranges::find(named_covariates, covariate.kind, &NamedCovariate::kind);
   return named->name;
 }
 

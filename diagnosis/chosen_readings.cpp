@@ -34,11 +34,11 @@ std::vector<std::vector<std::size_t>> strata(const MeasuredData& data,
   const auto drawn = [&](std::size_t run) { return uniform(seed, streams::hold_out, run); };
   std::vector<std::vector<std::size_t>> result;
   for (auto& [key, runs] : by_routings) {
-    std::stable_sort(runs.begin(), runs.end(),
-                     [&](std::size_t a, std::size_t b) { return drawn(a) < drawn(b); });
+    std::ranges::stable_sort(runs,
+                             [&](std::size_t a, std::size_t b) { return drawn(a) < drawn(b); });
     result.push_back(runs);
   }
-  std::stable_sort(result.begin(), result.end(), [&](const auto& a, const auto& b) {
+  std::ranges::stable_sort(result, [&](const auto& a, const auto& b) {
     if (a.size() != b.size()) return a.size() > b.size();
     return drawn(a.front()) < drawn(b.front());
   });
@@ -133,7 +133,7 @@ std::vector<std::size_t> thinned(const MeasuredData& data, std::vector<std::size
       kept.push_back(i);
     }
   }
-  std::sort(kept.begin(), kept.end());
+  std::ranges::sort(kept);
   return kept;
 }
 

@@ -34,15 +34,19 @@ std::vector<std::size_t> thinned(const MeasuredData& data, std::vector<std::size
 // More readings than this say nothing more about which cause it is.
 inline constexpr std::size_t most_readings = 4000;
 
-struct Sample {
-  Dataset training;
-  Dataset held_out;
-  std::size_t rows = 0;  // training and held out together
+struct SampleCounts {
+  std::size_t rows = 0;  // used, training and held out
   std::size_t runs = 0;
+  // Of a result: forecast by a model that has not seen them: sealed ones, or by the folds all.
   std::size_t held_out_runs = 0;
   std::size_t dropped_duplicates = 0;
-  std::size_t thinned_rows = 0;
-  std::vector<DataNote> notes;  // notes on the data come first
+  std::size_t thinned_rows = 0;  // beyond most_readings
+  std::vector<DataNote> notes;   // notes on the data come first
+};
+
+struct Sample : SampleCounts {
+  Dataset training;
+  Dataset held_out;
 };
 
 // `share` of the runs is held out (run_split.hpp). Throws InputError if no row can be compared.

@@ -50,13 +50,13 @@ bool says_something(const std::vector<Cell>& cells, const Reading& reading) {
 
 template <typename Member>
 bool any_given(const MeasuredData& data, Member member) {
-  return std::any_of(data.readings.begin(), data.readings.end(),
-                     [&](const Reading& reading) { return (reading.*member).has_value(); });
+  return std::ranges::any_of(data.readings,
+                             [&](const Reading& reading) { return (reading.*member).has_value(); });
 }
 
 template <typename Member>
 bool varies(const MeasuredData& data, Member member) {
-  return std::any_of(data.readings.begin(), data.readings.end(), [&](const Reading& reading) {
+  return std::ranges::any_of(data.readings, [&](const Reading& reading) {
     return reading.*member != data.readings.front().*member;
   });
 }
@@ -106,8 +106,8 @@ Conditions typical_conditions(const MeasuredData& data, const std::vector<std::s
 }
 
 double Dataset::degrees_of_freedom() const {
-  const auto free = std::count_if(rows.begin(), rows.end(),
-                                  [](const DatasetRow& row) { return !row.has_motor_tension; });
+  const auto free =
+      std::ranges::count_if(rows, [](const DatasetRow& row) { return !row.has_motor_tension; });
   return static_cast<double>(cells.size()) - static_cast<double>(free);
 }
 
@@ -183,7 +183,7 @@ Survey survey(const MeasuredData& data) {
   }
   for (const Reading& reading : data.readings) {
     std::vector<Grasp>& recorded = result.routings[reading.routing].recorded;
-    if (std::find(recorded.begin(), recorded.end(), reading.grasp) == recorded.end()) {
+    if (std::ranges::find(recorded, reading.grasp) == recorded.end()) {
       recorded.push_back(reading.grasp);
     }
   }
@@ -198,7 +198,7 @@ Survey survey(const MeasuredData& data) {
   result.has_both_directions = varies(data, &Reading::direction);
   result.sheath_angle_varies = varies(data, &Reading::sheath_angle_rad);
   const std::vector<bool> below = reads_below_zero(data);
-  result.reads_below_zero = std::find(below.begin(), below.end(), true) != below.end();
+  result.reads_below_zero = std::ranges::find(below, true) != below.end();
   return result;
 }
 

@@ -17,13 +17,11 @@
 #include "diagnosis/plan/power.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "diagnosis/search/term_search.hpp"
-#include "diagnosis/verdict/channel_units.hpp"
 #include "diagnosis/verdict/confirmation.hpp"
 #include "diagnosis/verdict/explained.hpp"
-#include "diagnosis/verdict/other_direction.hpp"
+#include "diagnosis/verdict/model_doubts.hpp"
 #include "diagnosis/verdict/outlier_forecasts.hpp"
 #include "diagnosis/verdict/outlier_groups.hpp"
-#include "diagnosis/verdict/residual_structure.hpp"
 #include "diagnosis/verdict/run_words.hpp"
 #include "numerics/streams.hpp"
 
@@ -32,7 +30,7 @@ namespace {
 
 void require_some_tension(const MeasuredData& data) {
   const std::vector<bool> dead = reads_zero_alone(data);
-  if (std::find(dead.begin(), dead.end(), false) != dead.end()) return;
+  if (std::ranges::find(dead, false) != dead.end()) return;
   throw InputError({.what = "every tension in the data",
                     .value = "0",
                     .expected = "a sensor that reads something"});
@@ -65,7 +63,7 @@ class Diagnosis {
         sample_(sample(data, options.hold_out, options.seed)) {
     nominal_.hardware = hardware;
     result_.model = nominal_;
-    take_over_counts();
+    static_cast<SampleCounts&>(result_) = sample_;
     note_what_the_model_doubts();
   }
 
@@ -88,9 +86,9 @@ class Diagnosis {
     if (stop_) return std::nullopt;
     const auto intervals =
         parameter_intervals(found_.problem, found_.model, found_.mounting_degrees());
-    const bool bends_are_recorded =
-        std::any_of(data_.readings.begin(), data_.readings.end(),
-                    [](const Reading& reading) { return reading.sheath_angle_rad.has_value(); });
+    const bool bends_are_recorded = std::ranges::any_of(data_.readings, [](const Reading& reading) {
+      return reading.sheath_angle_rad.has_value();
+    });
     describe(result_.causes, found_.model, nominal_.hardware, intervals, force_scale(data_),
              bends_are_recorded);
     add_partial_residuals(intervals);
@@ -127,18 +125,9 @@ class Diagnosis {
     return stop_;
   }
 
-  void take_over_counts() {
-    result_.rows = sample_.rows;
-    result_.runs = sample_.runs;
-    result_.held_out_runs = sample_.held_out_runs;
-    result_.dropped_duplicates = sample_.dropped_duplicates;
-    result_.thinned_rows = sample_.thinned_rows;
-    result_.notes = sample_.notes;
-  }
-
   bool is_noted(NoteKind kind) const {
-    return std::any_of(result_.notes.begin(), result_.notes.end(),
-                       [&](const DataNote& note) { return note.kind == kind; });
+    return std::ranges::any_of(result_.notes,
+                               [&](const DataNote& note) { return note.kind == kind; });
   }
 
   // Before anything is fitted, and where the tensions alone have not said it.
@@ -231,10 +220,9 @@ class Diagnosis {
     result_.residual_before_N = by.before_N;
     result_.residual_after_N = by.after_N;
     for (std::size_t i = 0; i < named.size(); ++i) named[i].cause.explained = by.terms[i];
-    std::stable_sort(named.begin(), named.end(),
-                     [](const NamedWithOthers& a, const NamedWithOthers& b) {
-                       return a.cause.explained.share > b.cause.explained.share;
-                     });
+    std::ranges::stable_sort(named, [](const NamedWithOthers& a, const NamedWithOthers& b) {
+      return a.cause.explained.share > b.cause.explained.share;
+    });
   }
 
   // Over what each named term follows, beside its fitted law.
@@ -273,7 +261,7 @@ class Diagnosis {
     std::vector<std::string> names{cause.name};
     std::vector<Model> models{found_.model};
     for (const Alternative& other : alternatives) {
-      if (std::find(names.begin(), names.end(), other.name) != names.end()) continue;
+      if (std::ranges::find(names, other.name) != names.end()) continue;
       if (!cause.runner_up) cause.runner_up = RunnerUp{other.name, other.deficit};
       names.push_back(other.name);
       models.push_back(other.model);
@@ -336,7 +324,7 @@ class Diagnosis {
       const std::string own = effect_name(accepted.effect);
       for (const Alternative& other : accepted.alternatives) {
         std::vector<std::string> instead = names;
-        std::replace(instead.begin(), instead.end(), own, other.name);
+        std::ranges::replace(instead, own, other.name);
         result_.weighed.push_back({std::move(instead), gain / 2 - other.deficit, std::nullopt});
       }
     }
@@ -354,17 +342,16 @@ class Diagnosis {
   }
 
   void check_residual_structure() {
-    const ResidualStructure left = residual_structure(
+    result_.row_scatter = row_scatter(found_.problem, forecast(sample_.training, found_.model));
+    const StructureResult left = residual_structure(
         found_.problem, found_.model, found_.scatter.mounting, options_.alpha,
         {streams::seed_of_residual_structure(options_.seed), options_.replicates}, workers_,
         [this] { return stopped("checking what is left"); });
-    result_.row_scatter = left.row_scatter;
-    result_.structure = left.structure.findings;
-    result_.structure_p_value = left.structure.p_value;
-    const bool is_chance = left.structure.p_value >= structure_share_of_alpha * options_.alpha;
+    result_.structure = left.findings;
+    result_.structure_p_value = left.p_value;
+    const bool is_chance = left.p_value >= structure_share_of_alpha * options_.alpha;
     if (!stop_ && !is_chance && leaves_more_than_noise()) {
-      result_.unexplained = {left.structure.findings.front().about, left.structure.where,
-                             left.structure.p_value};
+      result_.unexplained = {left.findings.front().about, left.where, left.p_value};
     }
   }
 
@@ -446,7 +433,7 @@ class Diagnosis {
     for (const Dataset* part : {&sample_.training, &sample_.held_out}) {
       for (const DatasetRow& row : part->rows) readings.push_back(row.reading);
     }
-    std::sort(readings.begin(), readings.end());
+    std::ranges::sort(readings);
     return readings;
   }
 

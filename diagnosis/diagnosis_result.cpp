@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -58,19 +59,8 @@ void describe(std::vector<NamedCause>& causes, const Model& model, const Hardwar
 }
 
 const char* verdict_name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::none:
-      return "none";
-    case Verdict::cause:
-      return "cause";
-    case Verdict::unexplained:
-      return "unexplained";
-    case Verdict::indistinguishable:
-      return "indistinguishable";
-    case Verdict::too_few:
-      return "too_few";
-  }
-  return "";
+  constexpr std::array names{"none", "cause", "unexplained", "indistinguishable", "too_few"};
+  return names[static_cast<std::size_t>(verdict)];
 }
 
 }  // namespace reeve::diagnosis

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "causes/model.hpp"
+#include "diagnosis/chosen_readings.hpp"
 #include "diagnosis/fit/intervals.hpp"
 #include "diagnosis/fit/mounting_scatter.hpp"
 #include "diagnosis/plan/next_measurement.hpp"
@@ -23,7 +24,6 @@
 #include "diagnosis/verdict/share_error.hpp"
 #include "diagnosis/verdict/structure.hpp"
 #include "diagnosis/verdict/without_apart.hpp"
-#include "readings/note.hpp"
 
 namespace reeve::diagnosis {
 
@@ -96,7 +96,7 @@ struct Unexplained {
   double p_value = 1;
 };
 
-struct DiagnosisResult {
+struct DiagnosisResult : SampleCounts {
   Verdict verdict = Verdict::none;
   std::vector<NamedCause> causes;  // sorted by the residuals that they explain
   std::vector<std::vector<std::string>> indistinguishable;
@@ -131,13 +131,6 @@ struct DiagnosisResult {
   std::vector<LeftOutRun> left_out;  // the named causes fitted without each run
   std::vector<Loss> losses;
   std::optional<WithoutApart> without_apart;
-  std::size_t rows = 0;  // used, training and held out
-  std::size_t runs = 0;
-  // Forecast by a model that has not seen them: sealed ones, or by the folds all.
-  std::size_t held_out_runs = 0;
-  std::size_t dropped_duplicates = 0;
-  std::size_t thinned_rows = 0;  // beyond most_readings
-  std::vector<DataNote> notes;
 };
 
 NamedCause named_cause(const Effect& effect, double p_value);

@@ -38,7 +38,7 @@ enum class NoteKind : std::uint8_t {
   groups_differ,           // a finding for all groups together that does not hold for each
   runs_of_groups,          // runs of one name in several groups
   outlier_forecast,        // held-out readings that the model is far from (outlier_forecasts.hpp)
-  other_direction,         // rows that read as the other direction (other_direction.hpp)
+  other_direction,         // rows that read as the other direction (model_doubts.hpp)
   outlier_groups,          // readings far off, of one channel in some runs (outlier_groups.hpp)
   not_following,           // time series: a tension stays the same while the load changes
   reversed,                // time series: pulling looks like releasing

@@ -8,7 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "diagnosis/fit/left_noise.hpp"
 #include "diagnosis/fit/scatter_fit.hpp"
 
 namespace reeve::diagnosis {
@@ -34,7 +33,7 @@ bool tells_of_motor(const Dataset& dataset) {
   const auto tells = [](const DatasetRow& row) {
     return row.has_motor_tension && row.motor_deviation_N == 0 && row.last - row.first > 1;
   };
-  return std::any_of(dataset.rows.begin(), dataset.rows.end(), tells);
+  return std::ranges::any_of(dataset.rows, tells);
 }
 
 void set_motor_scatter(Problem& problem, double relative) {
@@ -153,8 +152,7 @@ std::optional<SetReadings> set_readings(const Dataset& dataset) {
       pairs.push_back({dataset.cells[row.first].measured_N, row.conditions.motor_tension_N,
                        dataset.data->readings[row.reading].run});
     }
-    std::sort(pairs.begin(), pairs.end(),
-              [](const Pair& a, const Pair& b) { return a.reading_N < b.reading_N; });
+    std::ranges::sort(pairs, {}, &Pair::reading_N);
     VectorXd steps(std::max<Index>(static_cast<Index>(pairs.size()) - 1, 0));
     for (Index i = 0; i < steps.size(); ++i) {
       const auto k = static_cast<std::size_t>(i);
@@ -201,8 +199,8 @@ std::optional<SetReadings> set_readings(const Dataset& dataset) {
   const bool follows = !several || !(between_square > 0) ||
                        within / within_square >= followed * between / between_square;
   if (follows && of_readings > exact * exact * of_motor) return std::nullopt;
-  const bool one_of_each_run = std::all_of(clusters_of_run.begin(), clusters_of_run.end(),
-                                           [](const auto& of) { return of.second.size() == 1; });
+  const bool one_of_each_run =
+      std::ranges::all_of(clusters_of_run, [](const auto& of) { return of.second.size() == 1; });
   return SetReadings{std::sqrt(within_square / degrees), one_of_each_run, several};
 }
 

@@ -89,8 +89,7 @@ Fit fit(const Problem& problem, const Model& model, std::size_t effect,
     trials.push_back({std::move(trial), value});
   }
   if (trials.empty()) trials.push_back({model, misfit(problem, model)});
-  std::stable_sort(trials.begin(), trials.end(),
-                   [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
+  std::ranges::stable_sort(trials, {}, &Fit::misfit);
   Fit best = fit(problem, trials.front().model, precision);
   if (parameter_count(model) == 0) return best;
   for (std::size_t i = 1; i < std::min(refined, trials.size()); ++i) {

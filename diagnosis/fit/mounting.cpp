@@ -1,6 +1,7 @@
 #include "diagnosis/fit/mounting.hpp"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <map>
 #include <memory>
@@ -51,12 +52,10 @@ struct NumberedContact {
 // ones.
 bool stand_together(const Dataset& dataset, const NumberedContact& a, const NumberedContact& b) {
   const auto has = [](const Network& network, const NumberedContact& contact) {
-    const auto count =
-        std::count_if(network.contacts.begin(), network.contacts.end(),
-                      [&](const Contact& other) { return other.kind == contact.kind; });
+    const auto count = std::ranges::count(network.contacts, contact.kind, &Contact::kind);
     return static_cast<std::size_t>(count) > contact.number;
   };
-  return std::any_of(dataset.blocks.begin(), dataset.blocks.end(), [&](const ReadingBlock& block) {
+  return std::ranges::any_of(dataset.blocks, [&](const ReadingBlock& block) {
     const Network& network = dataset.data->routings[block.routing].network;
     return has(network, a) && has(network, b);
   });
@@ -195,25 +194,16 @@ std::size_t most_of_a_kind(const Dataset& dataset, ContactKind kind) {
   std::size_t most = 0;
   for (const ReadingBlock& block : dataset.blocks) {
     const auto& contacts = dataset.data->routings[block.routing].network.contacts;
-    const auto count = std::count_if(contacts.begin(), contacts.end(),
-                                     [&](const auto& contact) { return contact.kind == kind; });
+    const auto count =
+        std::ranges::count_if(contacts, [&](const auto& contact) { return contact.kind == kind; });
     most = std::max(most, static_cast<std::size_t>(count));
   }
   return most;
 }
 
 const char* mounted_name(Mounted kind) {
-  switch (kind) {
-    case Mounted::sheath:
-      return "sheath";
-    case Mounted::tube:
-      return "tube";
-    case Mounted::bearing:
-      return "bearing";
-    case Mounted::gain:
-      return "gain";
-  }
-  return "";
+  constexpr std::array names{"sheath", "tube", "bearing", "gain"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 std::vector<Mounting> mountings(const Dataset& dataset) {

@@ -8,7 +8,7 @@
 //               in each run: what no smooth law explains
 // together, since repeats of few conditions cannot tell the relative part from the absolute one;
 // where the data are too few for that, from
-//   residuals   of a model, beside all that a mounting could change (left_noise.hpp), or
+//   residuals   of a model, beside all that a mounting could change (mounting.hpp), or
 // where these are too few, too, from the same without regard to runs, or from residuals alone.
 // Both parts together maximise the (restricted) likelihood of the residuals.
 //
@@ -27,7 +27,7 @@
 
 #include "diagnosis/dataset.hpp"
 #include "diagnosis/fit/forecast.hpp"
-#include "diagnosis/fit/scatter_samples.hpp"
+#include "diagnosis/fit/mounting.hpp"
 
 namespace reeve::diagnosis {
 
@@ -66,10 +66,11 @@ Eigen::VectorXd deviations_if_near(const Dataset& dataset, const Noise& noise,
 
 // From repeats and smoothing; nothing if there are too few.
 std::optional<Noise> noise_without_model(const Dataset& dataset);
-// From what is left of these readings; nothing if they tell too little.
-std::optional<Noise> noise_of_samples(const Dataset& dataset, std::vector<ScatterSample> samples);
-// From what a model with so many fitted parameters leaves.
-Noise noise_of_residuals(const Dataset& dataset, const Forecast& at,
-                         const Eigen::VectorXd& residual_N, double parameters);
+// From what a model leaves of the readings.
+Noise noise_left_by(const Dataset& dataset, const Model& model);
+// Likewise within each mounting: beside what the mounting itself could have changed. Nothing where
+// that leaves too few readings.
+std::optional<Noise> noise_left_within_mountings(const Dataset& dataset, const Model& model,
+                                                 const MountingModes& modes);
 
 }  // namespace reeve::diagnosis

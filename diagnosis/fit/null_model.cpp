@@ -128,8 +128,8 @@ void NullModel::for_each(Workers& workers,
 }
 
 double p_value(double observed, const std::vector<double>& replicates) {
-  const auto above = std::count_if(replicates.begin(), replicates.end(),
-                                   [&](double value) { return value >= observed; });
+  const auto above =
+      std::ranges::count_if(replicates, [&](double value) { return value >= observed; });
   return static_cast<double>(above + 1) / static_cast<double>(replicates.size() + 1);
 }
 

@@ -151,7 +151,7 @@ Problem problem(const Dataset& dataset, const Eigen::VectorXd& deviation_N) {
     result.clips.push_back(!below_zero[channel] && !dead[channel]);
   }
   const auto scatters = [](const DatasetRow& row) { return row.motor_deviation_N > 0; };
-  if (std::any_of(dataset.rows.begin(), dataset.rows.end(), scatters)) {
+  if (std::ranges::any_of(dataset.rows, scatters)) {
     result.motor_deviation_N.resize(static_cast<Index>(dataset.rows.size()));
     for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
       result.motor_deviation_N[static_cast<Index>(r)] = dataset.rows[r].motor_deviation_N;

@@ -123,8 +123,7 @@ std::optional<Trial> trial_by_group(const Dataset& dataset,
                                     const std::vector<ScatterSample>& samples) {
   constexpr int rounds = 2;  // the scatter of all, and that of groups beside it
   const auto groups = by_group(dataset, samples);
-  const auto own =
-      std::count_if(groups.begin(), groups.end(), [](const auto& group) { return !group.empty(); });
+  const auto own = std::ranges::count_if(groups, [](const auto& group) { return !group.empty(); });
   if (own < 2) return std::nullopt;
   Trial best = trial(dataset, samples);
   for (int round = 0; round < rounds; ++round) {

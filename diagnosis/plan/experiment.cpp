@@ -90,8 +90,8 @@ class RunPlanner {
     }
     std::vector<std::size_t> numbers(rows_);
     std::iota(numbers.begin(), numbers.end(), std::size_t{0});
-    std::stable_sort(numbers.begin(), numbers.end(),
-                     [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+    std::ranges::stable_sort(numbers,
+                             [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
     return numbers;
   }
 
@@ -141,7 +141,7 @@ bool varies(const PlannedLevels& levels) {
 
 Range range_of(const PlannedLevels& levels) {
   if (levels.list.empty()) return levels.range;
-  const auto [least, greatest] = std::minmax_element(levels.list.begin(), levels.list.end());
+  const auto [least, greatest] = std::ranges::minmax_element(levels.list);
   return {*least, *greatest};
 }
 
@@ -162,9 +162,9 @@ std::vector<SurveyedColumn> surveyed_columns(const ExperimentPlan& plan) {
 
 void require_channels(const ExperimentPlan& plan) {
   for (const Segment& channel : plan.channels) {
-    const bool found = std::any_of(
-        plan.routings.begin(), plan.routings.end(),
-        [&](const PlannedRouting& routing) { return find_segment(routing.network, channel); });
+    const bool found = std::ranges::any_of(plan.routings, [&](const PlannedRouting& routing) {
+      return find_segment(routing.network, channel).has_value();
+    });
     if (!found) {
       throw InputError(
           {.where = "channels",
@@ -172,9 +172,9 @@ void require_channels(const ExperimentPlan& plan) {
     }
   }
   for (const PlannedRouting& routing : plan.routings) {
-    const bool measured =
-        std::any_of(plan.channels.begin(), plan.channels.end(),
-                    [&](const Segment& channel) { return find_segment(routing.network, channel); });
+    const bool measured = std::ranges::any_of(plan.channels, [&](const Segment& channel) {
+      return find_segment(routing.network, channel).has_value();
+    });
     if (!measured) {
       throw InputError({.where = "channels",
                         .what = fmt::format("none of them is a segment of {}", routing.label),
@@ -199,7 +199,7 @@ void validate(const ExperimentPlan& plan) {
                                           plan.rows, plan.repeats),
                       .expected = fmt::format("{} readings at most", max_planned_readings)});
   }
-  if (plan.cycle && !std::is_sorted(plan.cycle->list.begin(), plan.cycle->list.end())) {
+  if (plan.cycle && !std::ranges::is_sorted(plan.cycle->list)) {
     throw InputError({.what = "cycles", .expected = "a list that rises"});
   }
   require_channels(plan);

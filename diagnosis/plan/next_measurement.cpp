@@ -38,9 +38,7 @@ double greatest_tension(const MeasuredData& data) {
 }
 
 std::optional<std::size_t> column_of(const MeasuredData& data, const Segment& segment) {
-  const auto found =
-      std::find_if(data.channels.begin(), data.channels.end(),
-                   [&](const Channel& channel) { return channel.segment == segment; });
+  const auto found = std::ranges::find(data.channels, segment, &Channel::segment);
   if (found == data.channels.end()) return std::nullopt;
   return static_cast<std::size_t>(found - data.channels.begin());
 }
@@ -55,15 +53,15 @@ template <typename Value>
 TriedLevels levels(const MeasuredData& data, Value value, const std::vector<double>& beyond) {
   std::vector<double> seen;
   for (const Reading& reading : data.readings) {
-    if (const auto given = value(reading)) seen.push_back(*given);
+    if (const auto given = std::invoke(value, reading)) seen.push_back(*given);
   }
   if (seen.empty()) return {};
-  std::sort(seen.begin(), seen.end());
+  std::ranges::sort(seen);
   TriedLevels result{{seen[seen.size() / 2], seen.front(), seen.back()}, true};
   result.values.insert(result.values.end(), beyond.begin(), beyond.end());
   std::vector<double> once;
   for (const double x : result.values) {
-    if (std::find(once.begin(), once.end(), x) == once.end()) once.push_back(x);
+    if (std::ranges::find(once, x) == once.end()) once.push_back(x);
   }
   result.values = std::move(once);
   return result;
@@ -73,10 +71,10 @@ TriedLevels levels(const MeasuredData& data, Value value, const std::vector<doub
 class Measurements {
  public:
   explicit Measurements(const MeasuredData& data)
-      : load_(levels(data, [](const Reading& r) { return r.motor_tension_N; }, {5, 20, 50})),
-        speed_(levels(data, [](const Reading& r) { return r.speed_mm_s; }, {1, 100})),
-        cycle_(levels(data, [](const Reading& r) { return r.cycle; }, {0, 1000})),
-        temperature_(levels(data, [](const Reading& r) { return r.temperature_C; }, {10, 40})) {
+      : load_(levels(data, &Reading::motor_tension_N, {5, 20, 50})),
+        speed_(levels(data, &Reading::speed_mm_s, {1, 100})),
+        cycle_(levels(data, &Reading::cycle, {0, 1000})),
+        temperature_(levels(data, &Reading::temperature_C, {10, 40})) {
     if (!load_.measured) load_.values = {Conditions{}.motor_tension_N};
   }
 

@@ -7,8 +7,8 @@ namespace {
 
 Finding finding_of(const DiagnosisResult& result, std::vector<std::string> named,
                    std::vector<std::string> hidden) {
-  std::sort(named.begin(), named.end());
-  std::sort(hidden.begin(), hidden.end());
+  std::ranges::sort(named);
+  std::ranges::sort(hidden);
   switch (result.verdict) {
     case Verdict::unexplained:
       return Finding::unexplained;
@@ -30,9 +30,8 @@ MeasurementPlan measurement_plan(const MeasuredData& data,
                                  const Noise& noise) {
   MeasurementPlan plan{&data, {}, noise};
   const auto add = [&](const MeasurableRouting& routing) {
-    const bool known =
-        std::any_of(plan.routings.begin(), plan.routings.end(),
-                    [&](const MeasurableRouting& other) { return other.word == routing.word; });
+    const bool known = std::ranges::any_of(
+        plan.routings, [&](const MeasurableRouting& other) { return other.word == routing.word; });
     if (!known) plan.routings.push_back(routing);
   };
   for (const MeasuredRouting& measured : data.routings) add({measured.word, measured.routing});
@@ -66,9 +65,8 @@ PowerTrial judged(std::uint64_t seed, const DiagnosisResult& result,
 std::vector<FindingShare> finding_shares(const std::vector<PowerTrial>& trials) {
   std::vector<FindingShare> shares;
   for (const Finding finding : findings) {
-    const auto count = static_cast<std::size_t>(
-        std::count_if(trials.begin(), trials.end(),
-                      [&](const PowerTrial& trial) { return trial.finding == finding; }));
+    const auto count =
+        static_cast<std::size_t>(std::ranges::count(trials, finding, &PowerTrial::finding));
     const double share =
         trials.empty() ? 0 : static_cast<double>(count) / static_cast<double>(trials.size());
     shares.push_back({finding, count, share, binomial_interval(count, trials.size())});

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <vector>
 
@@ -12,7 +13,7 @@ constexpr std::size_t most_bends = 8;
 constexpr std::size_t most_knots = 12;
 
 // A step that parts one run from all others says no more than that this run stands apart, which is
-// screened by itself (part_laws.cpp).
+// screened by itself (law_families.cpp).
 bool parts_one_run(const LawColumns& columns, std::size_t l, const RowLaw& step) {
   const RowCovariate& x = columns.covariate(columns.lever(l), step.x);
   if (!columns.is_whole(l) || step.form != Form::step || step.x == columns.load()) return false;
@@ -73,8 +74,7 @@ void screen_knots(const LawColumns& columns, const Bend& at, Form form, std::siz
 }  // namespace
 
 void screen_bent(const LawColumns& columns, std::vector<Bend> bends, FoundLaws& found) {
-  std::stable_sort(bends.begin(), bends.end(),
-                   [](const Bend& a, const Bend& b) { return a.evidence > b.evidence; });
+  std::ranges::stable_sort(bends, std::greater{}, &Bend::evidence);
   bends.resize(std::min(most_bends, bends.size()));
   for (const Bend& at : bends) {
     const Lever& lever = columns.lever(at.lever);

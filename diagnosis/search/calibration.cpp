@@ -37,8 +37,7 @@ Model from_each_start(const Problem& problem, const Model& model, Workers& worke
     }
     fits[block.begin] = fit(problem, start);
   });
-  const auto best = std::min_element(
-      fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
+  const auto best = std::ranges::min_element(fits, {}, &Fit::misfit);
   return best->model;
 }
 

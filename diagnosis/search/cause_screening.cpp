@@ -107,8 +107,7 @@ std::vector<ScreenedCause> CauseScreening::run(const Problem& problem, const For
   }
   std::vector<ScreenedCause> result;
   for (auto& [candidate, cause] : found) result.push_back(std::move(cause));
-  std::stable_sort(result.begin(), result.end(),
-                   [](const auto& a, const auto& b) { return a.gain > b.gain; });
+  std::ranges::stable_sort(result, [](const auto& a, const auto& b) { return a.gain > b.gain; });
   return result;
 }
 

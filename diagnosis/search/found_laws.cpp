@@ -103,16 +103,15 @@ void FoundLaws::keep(const LeverLaw& law, double gain, std::vector<double> value
 std::vector<ScreenedLaw> FoundLaws::best(std::size_t most) const {
   std::vector<const Found*> in_turn;
   for (const Found& found : found_) in_turn.push_back(&found);
-  std::stable_sort(in_turn.begin(), in_turn.end(), [](const Found* a, const Found* b) {
-    return a->law.evidence > b->law.evidence;
-  });
+  std::ranges::stable_sort(
+      in_turn, [](const Found* a, const Found* b) { return a->law.evidence > b->law.evidence; });
   std::vector<ScreenedLaw> result;
   std::set<std::pair<std::size_t, LawKind>> met;
   for (const Found* found : in_turn) {
     if (result.size() >= most) break;
     if (!met.insert({found->lever, found->kind}).second) continue;
     result.push_back(found->law);
-    const auto constant = std::find_if(in_turn.begin(), in_turn.end(), [&](const Found* other) {
+    const auto constant = std::ranges::find_if(in_turn, [&](const Found* other) {
       return other->lever == found->lever && other->kind == LawKind{};
     });
     if (constant == in_turn.end() || !met.insert({found->lever, LawKind{}}).second) continue;

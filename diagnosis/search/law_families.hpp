@@ -1,4 +1,5 @@
-// Families of laws, each screened at all levers.
+// Every law that the grammar of terms can say of the data, screened to first order: a lever times a
+// law of what each row records. Families of laws are each screened at all levers.
 #pragma once
 
 #include <cstddef>
@@ -31,5 +32,11 @@ inline constexpr std::size_t few_runs = 4;
 
 // Screens what one run or one group does by itself.
 void screen_parts(const LawColumns& columns, FoundLaws& found);
+
+// Returns the laws of all families with the most evidence first, at most so many, of different
+// sites or covariates. The problem is of some of the table's readings, all cells of each.
+std::vector<ScreenedLaw> best_laws(const LawTable& table, const Problem& problem,
+                                   const Forecast& at, const Projection& projection,
+                                   const Eigen::VectorXd& residuals, std::size_t most);
 
 }  // namespace reeve::diagnosis

@@ -59,10 +59,9 @@ class LeversOf {
         slots_(slots(dataset, model, workers)),
         contacts_(contacts_of_rows(dataset, model)),
         block_of_(dataset.rows.size()),
-        turns_(std::any_of(dataset.blocks.begin(), dataset.blocks.end(),
-                           [&](const ReadingBlock& block) {
-                             return block.direction != dataset.blocks.front().direction;
-                           })) {
+        turns_(std::ranges::any_of(dataset.blocks, [&](const ReadingBlock& block) {
+          return block.direction != dataset.blocks.front().direction;
+        })) {
     for (const ReadingBlock& block : dataset.blocks) {
       for (const std::size_t r : block.rows) block_of_[r] = &block;
     }
@@ -94,10 +93,9 @@ class LeversOf {
       const DatasetRow& row = dataset_.rows[r];
       for (const causes::SolvedContact& contact : contacts_[r]) {
         if (!is_in(site, r, contact)) continue;
-        const ContactColumn& slot =
-            *std::find_if(slots_.begin(), slots_.end(), [&](const ContactColumn& each) {
-              return each.kind == contact.kind && each.number == contact.number;
-            });
+        const ContactColumn& slot = *std::ranges::find_if(slots_, [&](const ContactColumn& each) {
+          return each.kind == contact.kind && each.number == contact.number;
+        });
         const double factor = factor_of(target, contact);
         for (auto i = static_cast<Index>(row.first); i < static_cast<Index>(row.last); ++i) {
           result.push_back({i, factor * slot.by_exponent_N[i], contact.high});
@@ -121,7 +119,7 @@ class LeversOf {
     for (const ContactShare& share : shares) {
       if (share.load_N > 0) loads.push_back(share.load_N);
     }
-    std::sort(loads.begin(), loads.end());
+    std::ranges::sort(loads);
     loads.erase(std::unique(loads.begin(), loads.end()), loads.end());
     if (loads.size() < 3 || loads.back() < wide * loads.front()) return std::nullopt;
     RowCovariate result;
@@ -149,9 +147,7 @@ class LeversOf {
   void add_contacts() {
     for (const ContactKind kind : site_kinds) {
       if (most_of_a_kind(dataset_, kind) == 0) continue;
-      Site site;
-      site.kind = kind;
-      add_at_contacts(site, Breadth::whole);
+      add_at_contacts({.kind = kind}, Breadth::whole);
       std::set<int> fingers;
       std::set<std::pair<std::string, std::size_t>> numbered;
       bool held = false;
@@ -165,42 +161,30 @@ class LeversOf {
       }
       for (const int finger : fingers) {
         if (fingers.size() < 2) break;
-        Site own = site;
-        own.finger = finger;
-        add_at_contacts(own, Breadth::part);
+        add_at_contacts({.kind = kind, .finger = finger}, Breadth::part);
       }
       for (const bool is_held : {true, false}) {
         if (!held) break;
-        Site own = site;
-        own.held = is_held;
-        add_at_contacts(own, Breadth::part);
+        add_at_contacts({.kind = kind, .held = is_held}, Breadth::part);
       }
       // The other direction follows from it and from the coefficient.
-      if (turns_) {
-        Site own = site;
-        own.direction = Direction::release;
-        add_at_contacts(own, Breadth::part);
-      }
+      if (turns_) add_at_contacts({.kind = kind, .direction = Direction::release}, Breadth::part);
       std::map<std::string, int> of_routing;
       for (const auto& [word, number] : numbered) ++of_routing[word];
       for (const auto& [word, count] : of_routing) {
         if (of_routing.size() < 2 || count < 2) continue;
-        Site own = site;
-        own.routing = word;
-        add_at_contacts(own, Breadth::one);
+        add_at_contacts({.kind = kind, .routing = word}, Breadth::one);
       }
       for (const auto& [word, number] : numbered) {
-        Site own = site;
-        own.routing = word;
-        own.number = number;
-        add_at_contacts(own, Breadth::one);
+        add_at_contacts({.kind = kind, .routing = word, .number = number}, Breadth::one);
       }
     }
   }
 
-  void add_cells(Target target, const Site& site, Breadth breadth,
+  void add_cells(Target target, const Site& site,
                  const std::function<double(std::size_t row, Index cell)>& value) {
-    Lever lever{target, site, breadth, VectorXd::Zero(static_cast<Index>(dataset_.cells.size()))};
+    Lever lever{target, site, Breadth::whole,
+                VectorXd::Zero(static_cast<Index>(dataset_.cells.size()))};
     for (std::size_t r = 0; r < dataset_.rows.size(); ++r) {
       for (std::size_t i = dataset_.rows[r].first; i < dataset_.rows[r].last; ++i) {
         const bool reads =
@@ -212,36 +196,30 @@ class LeversOf {
     levers_.push_back(std::move(lever));
   }
 
-  void add_readings(const Site& site, Breadth breadth) {
+  void add_readings(const Site& site) {
     const auto gain = [&](std::size_t, Index cell) { return at_.reading_N[cell]; };
-    add_cells(Target::gain, site, breadth, gain);
-    add_cells(Target::offset, site, breadth, [](std::size_t, Index) { return 1.0; });
+    add_cells(Target::gain, site, gain);
+    add_cells(Target::offset, site, [](std::size_t, Index) { return 1.0; });
   }
 
   void add_channels() {
-    Site all;
-    all.place = SitePlace::channels;
-    if (dataset_.data->channels.size() > 1) add_readings(all, Breadth::whole);
+    if (dataset_.data->channels.size() > 1) add_readings({.place = SitePlace::channels});
     for (const Channel& channel : dataset_.data->channels) {
-      Site site;
-      site.place = SitePlace::channel;
-      site.channel = channel.segment;
-      add_readings(site, Breadth::whole);
+      add_readings({.place = SitePlace::channel, .channel = channel.segment});
     }
   }
 
   void add_motor() {
-    Site site;
-    site.place = SitePlace::motor;
+    const Site site{.place = SitePlace::motor};
     const auto by_motor = [&](std::size_t r, Index cell) {
       return dataset_.rows[r].has_motor_tension ? at_.by_scale[cell] : 0;
     };
-    add_cells(Target::gain, site, Breadth::whole, [&](std::size_t r, Index cell) {
+    add_cells(Target::gain, site, [&](std::size_t r, Index cell) {
       return by_motor(r, cell) * dataset_.rows[r].conditions.motor_tension_N;
     });
-    add_cells(Target::offset, site, Breadth::whole, by_motor);
+    add_cells(Target::offset, site, by_motor);
     if (!turns_) return;
-    add_cells(Target::force, site, Breadth::whole, [&](std::size_t r, Index cell) {
+    add_cells(Target::force, site, [&](std::size_t r, Index cell) {
       return (block_of_[r]->direction == Direction::pull ? -1 : 1) * by_motor(r, cell);
     });
   }

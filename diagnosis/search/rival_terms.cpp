@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -23,7 +24,7 @@ struct Contender {
 };
 
 bool has(const Model& model, const Effect& effect) {
-  return std::any_of(model.effects.begin(), model.effects.end(), [&](const Effect& other) {
+  return std::ranges::any_of(model.effects, [&](const Effect& other) {
     return effect_name(other) == effect_name(effect);
   });
 }
@@ -46,7 +47,7 @@ class RivalTerms {
     std::vector<Scored> ways;
     for (Scored& way : result) {
       if (way.term.effect.cause == nullptr) continue;
-      const bool again = std::any_of(ways.begin(), ways.end(), [&](const Scored& other) {
+      const bool again = std::ranges::any_of(ways, [&](const Scored& other) {
         return same_effect(other.term.effect, way.term.effect);
       });
       if (!again) ways.push_back(std::move(way));
@@ -56,9 +57,9 @@ class RivalTerms {
 
  private:
   double price_of(const Candidate& candidate) const {
-    const auto alike = std::count_if(
-        words_.causes.begin(), words_.causes.end(),
-        [&](const Candidate& other) { return other.effect.cause == candidate.effect.cause; });
+    const auto alike = std::ranges::count_if(words_.causes, [&](const Candidate& other) {
+      return other.effect.cause == candidate.effect.cause;
+    });
     return price_of_name() + std::log(static_cast<double>(alike));
   }
 
@@ -81,7 +82,7 @@ class RivalTerms {
       left[block.begin] = {misfit(from_.likelihood.problem, with_hardware_coefficients(with.model)),
                            whether[block.begin]};
     });
-    std::sort(left.begin(), left.end());
+    std::ranges::sort(left);
     std::vector<Effect> result;
     for (std::size_t i = 0; i < std::min(few, left.size()); ++i) {
       result.push_back(words_.causes[left[i].second].effect);
@@ -222,8 +223,7 @@ class RivalTerms {
 }  // namespace
 
 void most_evident_first(std::vector<Scored>& ways) {
-  std::stable_sort(ways.begin(), ways.end(),
-                   [](const Scored& a, const Scored& b) { return a.evidence > b.evidence; });
+  std::ranges::stable_sort(ways, std::greater{}, &Scored::evidence);
 }
 
 std::vector<Likelihood> views(const SearchedModel& search, const Effort& effort) {

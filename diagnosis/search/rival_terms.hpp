@@ -8,7 +8,7 @@
 
 #include "diagnosis/search/candidates.hpp"
 #include "diagnosis/search/cause_screening.hpp"
-#include "diagnosis/search/law_screening.hpp"
+#include "diagnosis/search/law_families.hpp"
 #include "diagnosis/search/searched_model.hpp"
 
 namespace reeve::diagnosis {

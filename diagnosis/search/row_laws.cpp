@@ -47,7 +47,7 @@ std::optional<RowCovariate> row_covariate(Covariate covariate, const Dataset& da
       missing.push_back(static_cast<Index>(r));
     }
   }
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   if (values.size() < 3 || values.front() == values.back()) return std::nullopt;
   covariate.middle = values[values.size() / 2];
   covariate.seen = {values.front(), values.back()};

@@ -103,8 +103,8 @@ class StraightLaws {
     const auto own = static_cast<Index>(j);
     const auto column = [&](std::size_t c, bool is_logarithmic) {
       const Form form = is_logarithmic ? Form::log : Form::linear;
-      return std::find_if(laws.begin(), laws.end(),
-                          [&](const RowLaw& law) { return law.form == form && law.x == c; }) -
+      return std::ranges::find_if(
+                 laws, [&](const RowLaw& law) { return law.form == form && law.x == c; }) -
              laws.begin();
     };
     if (is_a_gain(lever, of)) return;

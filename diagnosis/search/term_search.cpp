@@ -107,8 +107,8 @@ class Searching {
   std::size_t terms() const { return search_.accepted.size(); }
 
   bool has_laws() const {
-    return std::any_of(search_.accepted.begin(), search_.accepted.end(),
-                       [](const auto& term) { return term_of(*term.effect.cause) != nullptr; });
+    return std::ranges::any_of(
+        search_.accepted, [](const auto& term) { return term_of(*term.effect.cause) != nullptr; });
   }
 
   const ScatterLevel& level() const { return search_.now.likelihood.level; }
@@ -310,9 +310,8 @@ std::optional<Explanation> TermSearch::run(const std::function<bool(const char*)
 }
 
 Explanation TermSearch::run_on(const Dataset& part, Workers& workers) const {
-  const bool has_a_fault =
-      std::any_of(accepted_.begin(), accepted_.end(),
-                  [](const AcceptedTerm& term) { return term.effect.values.empty(); });
+  const bool has_a_fault = std::ranges::any_of(
+      accepted_, [](const AcceptedTerm& term) { return term.effect.values.empty(); });
   const auto screened = [&](const Model&, std::size_t step) -> const Screened& {
     return screened_[std::min(step, screened_.size() - 1)];
   };

@@ -50,7 +50,7 @@ std::vector<ComparedCell> compared_cells(const Sample& sample, const Model& befo
     }
   }
   const std::vector<Reading>& readings = sample.training.data->readings;
-  std::stable_sort(result.begin(), result.end(), [&](const ComparedCell& a, const ComparedCell& b) {
+  std::ranges::stable_sort(result, [&](const ComparedCell& a, const ComparedCell& b) {
     return readings[a.cell.reading].line < readings[b.cell.reading].line;
   });
   return result;

@@ -17,7 +17,7 @@ std::vector<std::size_t> readings_beside(const Dataset& all, const Fold& fold) {
   const std::vector<std::size_t> own = readings_in(fold.unseen);
   std::vector<std::size_t> others;
   for (const std::size_t i : readings_in(all)) {
-    if (!std::binary_search(own.begin(), own.end(), i)) others.push_back(i);
+    if (!std::ranges::binary_search(own, i)) others.push_back(i);
   }
   return others;
 }
@@ -72,8 +72,8 @@ std::vector<std::string> Confirmation::remove_the_others() {
     const Forecast less = without(effect_name(found_.accepted[c].effect));
     if (is_worse_on_unseen_runs(less, less)) drop(c);
   }
-  const bool forecasts = std::any_of(found_.accepted.begin(), found_.accepted.end(),
-                                     [](const AcceptedTerm& of) { return run_apart(of).empty(); });
+  const bool forecasts = std::ranges::any_of(
+      found_.accepted, [](const AcceptedTerm& of) { return run_apart(of).empty(); });
   if (!forecasts) return not_confirmed_;
   const Forecast nominal = joined(folds_, training_, &Fold::nominal);
   const Forecast base = joined(folds_, training_, &Fold::base);
@@ -165,8 +165,8 @@ Forecast Confirmation::beside_runs_apart(Forecast at) const {
   for (std::size_t i = 0; i < training_.cells.size(); ++i) {
     const Cell& cell = training_.cells[i];
     const std::string& run = data.runs[data.readings[cell.reading].run];
-    const bool is_apart = std::any_of(found_.accepted.begin(), found_.accepted.end(),
-                                      [&](const AcceptedTerm& of) { return run_apart(of) == run; });
+    const bool is_apart = std::ranges::any_of(
+        found_.accepted, [&](const AcceptedTerm& of) { return run_apart(of) == run; });
     if (is_apart) at.reading_N[static_cast<Eigen::Index>(i)] = cell.measured_N;
   }
   return at;

@@ -40,7 +40,7 @@ std::optional<std::vector<Fold>> cross_validated(const MeasuredData& data,
   std::vector<Fold> result;
   std::vector<std::size_t> runs;
   for (const std::size_t i : readings) runs.push_back(data.readings[i].run);
-  std::sort(runs.begin(), runs.end());
+  std::ranges::sort(runs);
   runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
   if (runs.size() < 2) return result;
   const std::size_t folds = std::min(most_folds, runs.size());
@@ -73,8 +73,8 @@ std::optional<std::vector<Fold>> cross_validated(const MeasuredData& data,
 bool stands_for(const Effect& found, const AcceptedTerm& cause) {
   const std::string name = effect_name(found);
   return name == effect_name(cause.effect) || is_kin(found, cause.effect) ||
-         std::any_of(cause.alternatives.begin(), cause.alternatives.end(),
-                     [&](const Alternative& other) { return other.name == name; });
+         std::ranges::any_of(cause.alternatives,
+                             [&](const Alternative& other) { return other.name == name; });
 }
 
 double share_of_folds(const std::vector<Fold>& folds, const AcceptedTerm& cause,
@@ -82,10 +82,9 @@ double share_of_folds(const std::vector<Fold>& folds, const AcceptedTerm& cause,
   if (folds.empty()) return 1;
   const auto is_it = [&](const AcceptedTerm& found) { return stands_for(found.effect, cause); };
   const auto finds = [&](const Fold& fold) {
-    return fold.found.holds[place] ||
-           std::any_of(fold.found.accepted.begin(), fold.found.accepted.end(), is_it);
+    return fold.found.holds[place] || std::ranges::any_of(fold.found.accepted, is_it);
   };
-  return static_cast<double>(std::count_if(folds.begin(), folds.end(), finds)) /
+  return static_cast<double>(std::ranges::count_if(folds, finds)) /
          static_cast<double>(folds.size());
 }
 

@@ -66,7 +66,7 @@ std::vector<Contribution> units(const Problem& problem, const Forecast& first,
 }
 
 double quantile(std::vector<double>& values, double share) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 

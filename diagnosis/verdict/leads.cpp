@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "diagnosis/fit/evidence.hpp"
 #include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/null_model.hpp"
-#include "diagnosis/search/law_screening.hpp"
+#include "diagnosis/search/law_families.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -56,9 +57,8 @@ std::vector<Lead> leads(const Sample& sample, const Problem& problem, const Mode
     const auto there = try_forecast(training, extended(model, screened).model);
     if (!there) continue;
     Eigen::VectorXd change = projection.taken_out(difference(problem, at, *there)).normalized();
-    const auto same = std::find_if(changes.begin(), changes.end(), [&](const auto& other) {
-      return std::abs(other.dot(change)) > nearly_alike;
-    });
+    const auto same = std::ranges::find_if(
+        changes, [&](const auto& other) { return std::abs(other.dot(change)) > nearly_alike; });
     if (same != changes.end()) {
       result[static_cast<std::size_t>(same - changes.begin())].alike.push_back(screened);
     } else if (result.size() < most_leads) {
@@ -68,10 +68,9 @@ std::vector<Lead> leads(const Sample& sample, const Problem& problem, const Mode
       changes.push_back(std::move(change));
     }
   }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const Lead& a, const Lead& b) { return a.evidence > b.evidence; });
-  std::stable_partition(result.begin(), result.end(),
-                        [](const Lead& lead) { return is_of_one_place(lead.effect); });
+  std::ranges::stable_sort(result, std::greater{}, &Lead::evidence);
+  std::ranges::stable_partition(result,
+                                [](const Lead& lead) { return is_of_one_place(lead.effect); });
   return result;
 }
 

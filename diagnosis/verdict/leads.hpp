@@ -1,6 +1,6 @@
 // Leads: places to look next, if structure is left that no named term explains. They are the laws
 // of the grammar (causes/term.hpp) that gain the most evidence beside the extended model: screened
-// to first order (search/law_screening.hpp), and then fitted. A lead names a site and a covariate.
+// to first order (search/law_families.hpp), and then fitted. A lead names a site and a covariate.
 // It is no finding: no scatter was fitted with it and no fold of runs has confirmed it. Laws that
 // change the readings nearly alike are one lead: with c the changes, whitened and beside the
 // model's own parameters,

@@ -59,8 +59,8 @@ std::vector<std::pair<GroupKey, std::vector<Row>>> groups(const MeasuredData& da
       reading = cell.cell.reading;
       const Reading& about = data.readings[*reading];
       const GroupKey key{about.routing, about.grasp.held, about.direction};
-      auto found = std::find_if(result.begin(), result.end(),
-                                [&](const auto& group) { return group.first == key; });
+      auto found =
+          std::ranges::find_if(result, [&](const auto& group) { return group.first == key; });
       if (found == result.end()) found = result.insert(found, {key, {}});
       row = &found->second.emplace_back();
     }
@@ -115,7 +115,7 @@ class LossTable {
       loss.high = network.segments[high];
       loss.low = network.segments[low];
       for (const std::size_t c : stretch.contacts) loss.over.push_back(network.contacts[c].kind);
-      if (way < 0) std::reverse(loss.over.begin(), loss.over.end());
+      if (way < 0) std::ranges::reverse(loss.over);
       for (const Row& row : rows) add_row(row, high, low, loss);
       if (loss.rows > 0) result_.push_back(mean(loss));
     }

@@ -32,8 +32,8 @@ std::string told(const ComparedCell& cell, const MeasuredData& data) {
 std::optional<DataNote> outlier_forecasts(const std::vector<ComparedCell>& cells,
                                           const MeasuredData& data, const Noise& noise,
                                           double alpha) {
-  const auto held_out = static_cast<std::size_t>(
-      std::count_if(cells.begin(), cells.end(), [](const ComparedCell& c) { return c.held_out; }));
+  const auto held_out =
+      static_cast<std::size_t>(std::ranges::count_if(cells, &ComparedCell::held_out));
   if (held_out == 0) return std::nullopt;
   const double limit = far(noise, alpha, held_out);
   std::vector<const ComparedCell*> beyond;
@@ -46,7 +46,7 @@ std::optional<DataNote> outlier_forecasts(const std::vector<ComparedCell>& cells
     note.lines.push_back(data.readings[cell->cell.reading].line);
   }
   note.lines.erase(std::unique(note.lines.begin(), note.lines.end()), note.lines.end());
-  std::stable_sort(beyond.begin(), beyond.end(), [](const ComparedCell* a, const ComparedCell* b) {
+  std::ranges::stable_sort(beyond, [](const ComparedCell* a, const ComparedCell* b) {
     return std::abs(a->residual_after) > std::abs(b->residual_after);
   });
   std::string examples;

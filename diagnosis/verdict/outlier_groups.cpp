@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "diagnosis/fit/mounted_draws.hpp"
 #include "numerics/binomial.hpp"
 #include "numerics/random.hpp"
 #include "numerics/student_t.hpp"
@@ -26,6 +27,51 @@ Eigen::VectorXd of_mountings_N(const Problem& problem) {
   }
   return result;
 }
+
+// Readings of one problem, and others as they would be if nothing but noise and mountings moved
+// them. The problem must outlive it.
+class JudgedCells {
+ public:
+  JudgedCells(const Problem& problem, const Forecast& at, const Noise& noise)
+      : problem_(problem),
+        expected_N_(expected_readings(problem, at)),
+        reading_N_(at.reading_N),
+        off_N_(own_residuals(problem, at).cwiseProduct(problem.deviation_N)),
+        noise_N_(deviations_if_near(*problem.dataset, noise, at.reading_N)),
+        deviation_N_(
+            (noise_N_.array().square() + of_mountings_N(problem).array().square()).sqrt()) {}
+
+  std::vector<JudgedCell> measured() const { return cells(off_N_); }
+
+  std::vector<JudgedCell> drawn(const MountedDraws& mountings, std::uint64_t seed,
+                                std::uint32_t stream) const {
+    Eigen::VectorXd off_N =
+        mountings.draw(seed, stream, static_cast<std::uint64_t>(reading_N_.size())) - reading_N_;
+    for (Eigen::Index i = 0; i < off_N.size(); ++i) {
+      off_N[i] += noise_N_[i] * normal(seed, stream, static_cast<std::uint64_t>(i));
+    }
+    return cells(off_N);
+  }
+
+ private:
+  std::vector<JudgedCell> cells(const Eigen::VectorXd& off_N) const {
+    std::vector<JudgedCell> result;
+    for (std::size_t i = 0; i < problem_.dataset->cells.size(); ++i) {
+      const Cell& cell = problem_.dataset->cells[i];
+      const auto k = static_cast<Eigen::Index>(i);
+      result.push_back({cell.reading, problem_.dataset->data->readings[cell.reading].run,
+                        cell.channel, expected_N_[k], off_N[k] / deviation_N_[k]});
+    }
+    return result;
+  }
+
+  const Problem& problem_;
+  Eigen::VectorXd expected_N_;
+  Eigen::VectorXd reading_N_;
+  Eigen::VectorXd off_N_;
+  Eigen::VectorXd noise_N_;
+  Eigen::VectorXd deviation_N_;
+};
 
 struct SidedRow {
   double load_N = 0;  // the mean of what its far cells should read
@@ -55,8 +101,7 @@ double sign_test(std::size_t above, std::size_t below) {
 
 double rank_sum_test(std::vector<SidedRow> rows, double above, double below) {
   if (above == 0 || below == 0) return 1;
-  std::sort(rows.begin(), rows.end(),
-            [](const SidedRow& a, const SidedRow& b) { return a.load_N < b.load_N; });
+  std::ranges::sort(rows, {}, &SidedRow::load_N);
   double sum = 0;
   for (std::size_t rank = 0; rank < rows.size(); ++rank) {
     if (rows[rank].side > 0) sum += static_cast<double>(rank + 1);
@@ -141,9 +186,7 @@ class OutlierFinder {
       const std::vector<JudgedCell> measured = part.cells.measured();
       cells_.insert(cells_.end(), measured.begin(), measured.end());
     }
-    std::stable_sort(cells_.begin(), cells_.end(), [](const JudgedCell& a, const JudgedCell& b) {
-      return a.reading < b.reading;
-    });
+    std::ranges::stable_sort(cells_, {}, &JudgedCell::reading);
     counts_ = counts_of(cells_);
   }
 
@@ -158,9 +201,7 @@ class OutlierFinder {
       }
       result.together.push_back(together(channels, runs));
     }
-    std::stable_sort(
-        result.together.begin(), result.together.end(),
-        [](const OutlierGroups& a, const OutlierGroups& b) { return a.p_value < b.p_value; });
+    std::ranges::stable_sort(result.together, {}, &OutlierGroups::p_value);
     for (const auto& [run, count] : counts_.runs) {
       if (taken.count(run) > 0) continue;
       result.elsewhere += count.all;
@@ -181,8 +222,8 @@ class OutlierFinder {
   }
 
   bool shares_scatter() const {
-    return std::any_of(parts_.begin(), parts_.end(),
-                       [](const Part& part) { return !part.problem->shared.empty(); });
+    return std::ranges::any_of(parts_,
+                               [](const Part& part) { return !part.problem->shared.empty(); });
   }
 
   void draw_mountings() {
@@ -217,8 +258,8 @@ class OutlierFinder {
   double chance_of(const OutlierCount& part) const {
     const double chance = chances_.family_wise(part, counts_);
     if (rarest_drawn_.empty() || chance >= limit_) return chance;
-    const auto as_rare = std::count_if(rarest_drawn_.begin(), rarest_drawn_.end(),
-                                       [&](double drawn) { return drawn <= chance; });
+    const auto as_rare =
+        std::ranges::count_if(rarest_drawn_, [&](double drawn) { return drawn <= chance; });
     return std::max(
         chance, static_cast<double>(as_rare + 1) / static_cast<double>(rarest_drawn_.size() + 1));
   }
@@ -259,8 +300,8 @@ class OutlierFinder {
     OutlierGroups result{channels, runs, true, 0, {}, 1, {}};
     std::vector<JudgedCell> far;
     for (const JudgedCell& cell : cells_) {
-      if (!std::binary_search(channels.begin(), channels.end(), cell.channel) ||
-          !std::binary_search(runs.begin(), runs.end(), cell.run)) {
+      if (!std::ranges::binary_search(channels, cell.channel) ||
+          !std::ranges::binary_search(runs, cell.run)) {
         continue;
       }
       ++result.readings;
@@ -298,44 +339,12 @@ class OutlierFinder {
 
 }  // namespace
 
-JudgedCells::JudgedCells(const Problem& problem, const Forecast& at, const Noise& noise)
-    : problem_(problem),
-      expected_N_(expected_readings(problem, at)),
-      reading_N_(at.reading_N),
-      off_N_(own_residuals(problem, at).cwiseProduct(problem.deviation_N)),
-      noise_N_(deviations_if_near(*problem.dataset, noise, at.reading_N)) {
-  deviation_N_ = (noise_N_.array().square() + of_mountings_N(problem).array().square()).sqrt();
-}
-
-std::vector<JudgedCell> JudgedCells::cells(const Eigen::VectorXd& off_N) const {
-  std::vector<JudgedCell> result;
-  for (std::size_t i = 0; i < problem_.dataset->cells.size(); ++i) {
-    const Cell& cell = problem_.dataset->cells[i];
-    const auto k = static_cast<Eigen::Index>(i);
-    result.push_back({cell.reading, problem_.dataset->data->readings[cell.reading].run,
-                      cell.channel, expected_N_[k], off_N[k] / deviation_N_[k]});
-  }
-  return result;
-}
-
-std::vector<JudgedCell> JudgedCells::measured() const { return cells(off_N_); }
-
-std::vector<JudgedCell> JudgedCells::drawn(const MountedDraws& mountings, std::uint64_t seed,
-                                           std::uint32_t stream) const {
-  Eigen::VectorXd off_N =
-      mountings.draw(seed, stream, static_cast<std::uint64_t>(reading_N_.size())) - reading_N_;
-  for (Eigen::Index i = 0; i < off_N.size(); ++i) {
-    off_N[i] += noise_N_[i] * normal(seed, stream, static_cast<std::uint64_t>(i));
-  }
-  return cells(off_N);
-}
-
 OutlierSides outlier_sides(const std::vector<JudgedCell>& far) {
   OutlierSides sides;
   for (const JudgedCell& cell : far) ++(cell.z > 0 ? sides.above : sides.below);
   const std::vector<SidedRow> rows = sided_rows(far);
   const auto above = static_cast<std::size_t>(
-      std::count_if(rows.begin(), rows.end(), [](const SidedRow& row) { return row.side > 0; }));
+      std::ranges::count_if(rows, [](const SidedRow& row) { return row.side > 0; }));
   const std::size_t below = rows.size() - above;
   const double by_load =
       rank_sum_test(rows, static_cast<double>(above), static_cast<double>(below));

@@ -20,17 +20,14 @@
 // scatters more than the others.
 #pragma once
 
-#include <Eigen/Core>
-
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
-#include "diagnosis/fit/mounted_draws.hpp"
 #include "diagnosis/fit/noise.hpp"
 #include "diagnosis/fit/problem.hpp"
-#include "diagnosis/verdict/residual_structure.hpp"
+#include "diagnosis/verdict/structure.hpp"
 
 namespace reeve::diagnosis {
 
@@ -52,27 +49,6 @@ struct JudgedCell {
 
 // Cells beyond this are far. Of noise with three degrees of freedom, 1 % is.
 inline constexpr double outlier_deviations = 6;
-
-// Readings of one problem, and others as they would be if nothing but noise and mountings moved
-// them. The problem must outlive it.
-class JudgedCells {
- public:
-  JudgedCells(const Problem& problem, const Forecast& at, const Noise& noise);
-
-  std::vector<JudgedCell> measured() const;
-  std::vector<JudgedCell> drawn(const MountedDraws& mountings, std::uint64_t seed,
-                                std::uint32_t stream) const;
-
- private:
-  std::vector<JudgedCell> cells(const Eigen::VectorXd& off_N) const;
-
-  const Problem& problem_;
-  Eigen::VectorXd expected_N_;
-  Eigen::VectorXd reading_N_;
-  Eigen::VectorXd off_N_;
-  Eigen::VectorXd noise_N_;
-  Eigen::VectorXd deviation_N_;
-};
 
 // On which side of the model readings are that are far from it.
 //

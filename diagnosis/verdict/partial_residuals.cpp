@@ -148,7 +148,7 @@ bool is_changed(const PartialPoint& point, const TermAxes& axes) {
 double middle_deviation(const std::vector<PartialPoint>& points) {
   std::vector<double> deviations;
   for (const PartialPoint& point : points) deviations.push_back(point.deviation);
-  std::sort(deviations.begin(), deviations.end());
+  std::ranges::sort(deviations);
   double all = 0;
   for (const double deviation : deviations) all += 1 / (deviation * deviation);
   double known = 0;
@@ -174,7 +174,7 @@ void thin_out(PartialResiduals& partial) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     drawn.emplace_back(uniform(1, thinning_stream, i), i);
   }
-  std::sort(drawn.begin(), drawn.end());
+  std::ranges::sort(drawn);
   std::vector<bool> kept(points.size());
   for (std::size_t k = 0; k < most_points; ++k) kept[drawn[k].second] = true;
   std::size_t at = 0;
@@ -215,9 +215,7 @@ double half_width_of_slope(const std::vector<PartialPoint>& points, double x) {
 
 std::vector<CurvePoint> curve(const TermAxes& axes, const Effect& effect,
                               const EffectSpread& spread, const std::vector<PartialPoint>& points) {
-  const auto [least, greatest] =
-      std::minmax_element(points.begin(), points.end(),
-                          [](const PartialPoint& a, const PartialPoint& b) { return a.x < b.x; });
+  const auto [least, greatest] = std::ranges::minmax_element(points, {}, &PartialPoint::x);
   // Points that all stand at one place get a short piece of curve.
   constexpr double short_piece = 0.05;
   const double beyond = least->x == greatest->x ? short_piece * std::abs(least->x) : 0;
@@ -237,8 +235,7 @@ std::vector<CurvePoint> curve(const TermAxes& axes, const Effect& effect,
 }
 
 bool has_motor_tension(const Dataset& dataset) {
-  return std::any_of(dataset.rows.begin(), dataset.rows.end(),
-                     [](const DatasetRow& row) { return row.has_motor_tension; });
+  return std::ranges::any_of(dataset.rows, &DatasetRow::has_motor_tension);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ DataNote note_on(const OutlierGroups& together, const OutlierReadings& all,
   for (const std::size_t reading : together.outlier_rows) {
     note.lines.push_back(data.readings[reading].line);
   }
-  std::sort(note.lines.begin(), note.lines.end());
+  std::ranges::sort(note.lines);
   note.text = fmt::format(
       "{} of the {} readings of {} are more than {:g} standard deviations off what the model says "
       "({}), and {} of {} elsewhere. ",
@@ -60,7 +60,7 @@ std::string runs_text(const std::vector<std::size_t>& runs, const MeasuredData& 
   if (runs.size() > 1 && runs.size() == data.runs.size()) return "all runs";
   std::vector<std::string> names;
   for (const std::size_t run : runs) names.push_back(data.runs[run]);
-  const bool say_it = std::all_of(names.begin(), names.end(), [](const std::string& name) {
+  const bool say_it = std::ranges::all_of(names, [](const std::string& name) {
     return name.starts_with("run") || name.starts_with("Run");
   });
   const std::string what = say_it ? "" : names.size() == 1 ? "run " : "runs ";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "readings/measured_shares.hpp"
@@ -26,9 +27,8 @@ std::optional<Strands> strands(const MeasuredData& data, const Cells& row) {
   if (reading.direction != Direction::pull) return std::nullopt;
   Strands result;
   for (const std::size_t channel : strand_channels(data, data.routings[reading.routing])) {
-    const auto found = std::find_if(row.begin(), row.end(), [&](const ComparedCell* cell) {
-      return cell->cell.channel == channel;
-    });
+    const auto found = std::ranges::find_if(
+        row, [&](const ComparedCell* cell) { return cell->cell.channel == channel; });
     if (found == row.end()) return std::nullopt;
     const ComparedCell& cell = **found;
     result.measured.push_back(cell.cell.measured_N);
@@ -64,7 +64,7 @@ void add(const Strands& row, ShareError& group) {
 template <typename Get>
 double mean(const std::vector<ShareError>& groups, Get get) {
   double total = 0;
-  for (const ShareError& group : groups) total += get(group);
+  for (const ShareError& group : groups) total += std::invoke(get, group);
   return total / static_cast<double>(groups.size());
 }
 
@@ -104,10 +104,10 @@ ShareErrors share_errors(const MeasuredData& data, const std::vector<ComparedCel
     group.after /= rows;
     if (group.left_out) *group.left_out /= rows;
   }
-  result.before = mean(result.groups, [](const ShareError& group) { return group.before; });
-  result.after = mean(result.groups, [](const ShareError& group) { return group.after; });
-  if (std::all_of(result.groups.begin(), result.groups.end(),
-                  [](const ShareError& group) { return group.left_out.has_value(); })) {
+  result.before = mean(result.groups, &ShareError::before);
+  result.after = mean(result.groups, &ShareError::after);
+  if (std::ranges::all_of(result.groups,
+                          [](const ShareError& group) { return group.left_out.has_value(); })) {
     result.left_out = mean(result.groups, [](const ShareError& group) { return *group.left_out; });
   }
   return result;

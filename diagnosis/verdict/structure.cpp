@@ -66,14 +66,10 @@ class Tests {
       return fmt::format("{} {} {} {}", r.routing, r.grasp.held, static_cast<int>(r.direction),
                          channel(c));
     });
-    add_trend(
-        "load", [](const Reading& r) { return r.motor_tension_N; }, true);
-    add_trend(
-        "speed", [](const Reading& r) { return r.speed_mm_s; }, true);
-    add_trend(
-        "cycle", [](const Reading& r) { return r.cycle; }, false);
-    add_trend(
-        "temperature", [](const Reading& r) { return r.temperature_C; }, false);
+    add_trend("load", &Reading::motor_tension_N, true);
+    add_trend("speed", &Reading::speed_mm_s, true);
+    add_trend("cycle", &Reading::cycle, false);
+    add_trend("temperature", &Reading::temperature_C, false);
     for (std::size_t k = 0; k < data_.covariates.size(); ++k) {
       add_trend(
           "column '" + data_.covariates[k] + "'", [k](const Reading& r) { return r.covariates[k]; },
@@ -142,7 +138,8 @@ class Tests {
     std::vector<double> x(dataset_.rows.size(), std::nan(""));
     double sum = 0, squares = 0, count = 0;
     for (std::size_t r = 0; r < x.size(); ++r) {
-      const std::optional<double> given = value(data_.readings[dataset_.rows[r].reading]);
+      const std::optional<double> given =
+          std::invoke(value, data_.readings[dataset_.rows[r].reading]);
       if (!given) continue;
       x[r] = logarithmic ? std::log(std::max(*given, 1e-6)) : *given;
       sum += x[r];
@@ -260,8 +257,7 @@ StructureResult find_structure(const Problem& problem, const std::vector<Structu
       [&](std::size_t first, const MatrixXd& drawn) {
         for (std::size_t t = 0; t < tests.size(); ++t) {
           const std::vector<double> of_each = statistics(tests[t], drawn);
-          std::copy(of_each.begin(), of_each.end(),
-                    null[t].begin() + static_cast<std::ptrdiff_t>(first));
+          std::ranges::copy(of_each, null[t].begin() + static_cast<std::ptrdiff_t>(first));
         }
       },
       stop);
@@ -283,11 +279,30 @@ StructureResult find_structure(const Problem& problem, const std::vector<Structu
     const double share = std::max(0.0, std::pow(measured, 3) - by_chance);
     result.findings.push_back({tests[t].about, here, p_value(measured, null[t]), share});
   }
-  std::stable_sort(result.findings.begin(), result.findings.end(),
-                   [](const auto& a, const auto& b) { return a.statistic > b.statistic; });
+  std::ranges::stable_sort(result.findings,
+                           [](const auto& a, const auto& b) { return a.statistic > b.statistic; });
   result.p_value = p_value(observed, greatest);
   result.where = farthest_group(problem, residuals);
   return result;
+}
+
+StructureResult residual_structure(const Problem& problem, const Model& model,
+                                   const MountingScatter& mounting, double alpha,
+                                   const Replicates& replicates, Workers& workers,
+                                   const std::function<bool()>& stop) {
+  const Dataset& training = *problem.dataset;
+  const Forecast at = forecast(training, model);
+  const Projection projection(problem, model, at);
+  const Eigen::VectorXd left = projection.taken_out(residuals(problem, at));
+  const auto tests = structure_tests(problem, at, projection);
+  const auto judged_by = [&](const MountedDraws* mounted) {
+    const NullModel null_model(problem, projection, at, replicates.seed, replicates.count, mounted);
+    return find_structure(problem, tests, left, null_model, workers, stop);
+  };
+  StructureResult result = judged_by(nullptr);
+  if (result.p_value >= alpha || problem.shared.empty() || stop()) return result;
+  const MountedDraws mounted(training, model, mounting);
+  return judged_by(&mounted);
 }
 
 }  // namespace reeve::diagnosis

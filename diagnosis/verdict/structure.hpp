@@ -9,11 +9,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "diagnosis/fit/mounting_scatter.hpp"
 #include "diagnosis/fit/null_model.hpp"
 #include "diagnosis/fit/problem.hpp"
 
@@ -49,11 +51,24 @@ struct StructureResult {
   std::string where;                       // the group whose residuals are farthest from 0
 };
 
+struct Replicates {
+  std::uint64_t seed = 1;
+  std::size_t count = 1000;
+};
+
 std::vector<StructureTest> structure_tests(const Problem& problem, const Forecast& at,
                                            const Projection& projection);
 
 StructureResult find_structure(const Problem& problem, const std::vector<StructureTest>& tests,
                                const Eigen::VectorXd& residuals, const NullModel& null_model,
                                Workers& workers, const std::function<bool()>& stop = {});
+
+// Structure of the residuals of a model. A finding below alpha, where mountings scatter, is judged
+// again by mountings that are solved (mounted_draws.hpp): what they do that is no straight line is
+// no finding. Without meaning once `stop` has said so.
+StructureResult residual_structure(const Problem& problem, const Model& model,
+                                   const MountingScatter& mounting, double alpha,
+                                   const Replicates& replicates, Workers& workers,
+                                   const std::function<bool()>& stop);
 
 }  // namespace reeve::diagnosis

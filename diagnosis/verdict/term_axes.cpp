@@ -22,35 +22,6 @@ using causes::Term;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-using ContactKinds = std::vector<ContactKind>;
-const ContactKinds tubes{ContactKind::tube};
-const ContactKinds sheaths{ContactKind::sheath};
-const ContactKinds both{ContactKind::tube, ContactKind::sheath};
-const ContactKinds bearings{ContactKind::bearing, ContactKind::block};
-
-// A cause of the library that acts at contacts: at those, and what its size follows.
-struct ContactCause {
-  std::string_view name;
-  const ContactKinds& kinds;
-  const char* follows;  // a covariate; "" if its size is constant
-};
-
-const std::vector<ContactCause>& contact_causes() {
-  static const std::vector<ContactCause> all{{"tube_friction", tubes, ""},
-                                             {"sheath_friction", sheaths, ""},
-                                             {"bearing_friction", bearings, ""},
-                                             {"hysteresis", both, ""},
-                                             {"bending_stiffness", both, ""},
-                                             {"bearing_drag", bearings, ""},
-                                             {"sheath_angle", sheaths, ""},
-                                             {"wrap_free_loss", sheaths, ""},
-                                             {"load_dependent_friction", both, "load"},
-                                             {"speed_dependent_friction", both, "speed_mm_s"},
-                                             {"temperature", both, "temperature_C"},
-                                             {"wear", both, "cycle"}};
-  return all;
-}
-
 AxisName covariate_axis(const Covariate& covariate) {
   switch (covariate.kind) {
     case CovariateKind::load:
@@ -86,10 +57,9 @@ std::string factor_text(const Covariate& covariate) {
 AxisName law_axis(Target target, const Site& site) {
   switch (target) {
     case Target::exponent:
-      if (site.kind == ContactKind::tube || site.kind == ContactKind::sheath) {
-        return {"relative change of the friction exponent", "1"};
-      }
-      return {"change of the friction exponent", "1"};
+      return {causes::is_tube_or_sheath(site.kind) ? "relative change of the friction exponent"
+                                                   : "change of the friction exponent",
+              "1"};
     case Target::force:
       return {"further force", "N"};
     case Target::gain:
@@ -106,26 +76,6 @@ AxisName size_axis(const Parameter& parameter, double nominal) {
   const std::string text =
       has_unit ? name.substr(0, name.size() - std::string_view(parameter.unit).size() - 1) : name;
   return {nominal == 0 ? text : fmt::format("{} - {:.4g}", text, nominal), parameter.unit};
-}
-
-Site site_of(ContactKind kind, int finger) {
-  Site site;
-  site.kind = kind;
-  site.finger = finger;
-  return site;
-}
-
-Site sensor(const Segment& segment) {
-  Site site;
-  site.place = SitePlace::channel;
-  site.channel = segment;
-  return site;
-}
-
-Site motor() {
-  Site site;
-  site.place = SitePlace::motor;
-  return site;
 }
 
 void follow_load_or_motor(TermAxes& axes, bool has_motor_tension) {
@@ -145,20 +95,13 @@ void follow_load_or_motor(TermAxes& axes, bool has_motor_tension) {
 }
 
 void add_lever(TermAxes& axes, Target target) {
-  for (const Site& site : axes.sites) {
-    Term lever;
-    lever.target = target;
-    lever.site = site;
-    axes.levers.push_back(std::move(lever));
-  }
+  for (const Site& site : axes.sites) axes.levers.push_back({.target = target, .site = site});
 }
 
 // True if a factor is applied to the exponent or gain that the law has left.
 bool is_factor(Target target, const Site& site) {
-  if (target == Target::exponent) {
-    return site.kind == ContactKind::tube || site.kind == ContactKind::sheath;
-  }
-  return target == Target::gain;
+  return target == Target::gain ||
+         (target == Target::exponent && causes::is_tube_or_sheath(site.kind));
 }
 
 void follow(TermAxes& axes, const Covariate& covariate) {
@@ -221,24 +164,22 @@ void measure_size(TermAxes& axes, const Effect& effect, const Hardware& hardware
   axes.law = [nominal](const std::vector<double>& values, double) { return values[0] - nominal; };
 }
 
-TermAxes axes_at_contacts(const ContactCause& cause, const Effect& effect,
-                          const Hardware& hardware) {
+// Of a cause that acts at the contacts of these sites.
+TermAxes axes_at_contacts(std::vector<Site> sites, const Effect& effect, const Hardware& hardware) {
   TermAxes axes;
-  for (const ContactKind kind : cause.kinds) {
-    axes.sites.push_back(site_of(kind, effect.subject.finger));
-  }
-  const std::string_view follows = cause.follows;
+  axes.sites = std::move(sites);
+  const std::string follows = effect.cause->follows();
   if (follows.empty()) {
     measure_size(axes, effect, hardware);
     follow_load_or_motor(axes, true);
-    if (cause.name == "wrap_free_loss") {
-      axes.over = DrawnOver::recorded;
-      axes.covariate = causes::covariate_named("sheath_angle_rad");
-      axes.x = covariate_axis(axes.covariate);
-    }
     return axes;
   }
-  follow(axes, causes::covariate_named(std::string(follows)));
+  follow(axes, causes::covariate_named(follows));
+  // The loss is the same at every angle, which tells it from the coefficient.
+  if (effect.cause->name() == std::string_view("wrap_free_loss")) {
+    measure_size(axes, effect, hardware);
+    return axes;
+  }
   add_lever(axes, Target::exponent);
   axes.y = law_axis(Target::exponent, axes.sites.front());
   axes.multiplies = true;
@@ -261,7 +202,7 @@ void measure_offset(TermAxes& axes, const Effect& effect) {
   }
   axes.law = [](const std::vector<double>& values, double x) { return values[0] * x; };
   if (name == "drift") {
-    follow(axes, causes::covariate_named("order"));
+    follow(axes, causes::covariate_named(effect.cause->follows()));
   } else {
     axes.over = DrawnOver::beside;
     axes.x = {"sum of the tensions beside it", "N"};
@@ -277,7 +218,7 @@ TermAxes axes_of_a_change() {
   axes.over = DrawnOver::change;
   axes.x = {"change of the forecast by it", "N"};
   axes.y = {"reading less the forecast without it", "N"};
-  axes.sites = {motor()};
+  axes.sites = {{.place = SitePlace::motor}};
   axes.law = [](const std::vector<double>&, double x) { return x; };
   return axes;
 }
@@ -297,8 +238,8 @@ double mean_of_contacts(const TermAxes& axes, const DrawnCell& cell,
                            contact.finger,
                            reading.grasp,
                            data.routings[reading.routing].word};
-    const bool acts = std::any_of(axes.sites.begin(), axes.sites.end(),
-                                  [&](const Site& site) { return causes::acts_on(site, load); });
+    const bool acts = std::ranges::any_of(
+        axes.sites, [&](const Site& site) { return causes::acts_on(site, load); });
     if (!acts) continue;
     sum += value(contact.high);
     count += 1;
@@ -332,19 +273,26 @@ TermAxes term_axes(const Effect& effect, const Hardware& hardware, bool has_moto
     return axes_of_law(*term, has_motor_tension);
   }
   if (effect.values.empty()) return axes_of_a_change();
-  const std::string_view name = effect.cause->name();
-  for (const ContactCause& cause : contact_causes()) {
-    if (cause.name == name) return axes_at_contacts(cause, effect, hardware);
+  std::vector<Site> contacts;
+  for (const ContactKind kind :
+       {ContactKind::tube, ContactKind::sheath, ContactKind::bearing, ContactKind::block}) {
+    if (!effect.cause->acts_at(kind)) continue;
+    contacts.push_back({.kind = kind, .finger = effect.subject.finger});
   }
+  if (!contacts.empty()) return axes_at_contacts(std::move(contacts), effect, hardware);
+  const std::string_view name = effect.cause->name();
   TermAxes axes;
-  axes.sites = {effect.subject.channel ? sensor(*effect.subject.channel) : motor()};
+  axes.sites = {{.place = SitePlace::motor}};
+  if (const auto& channel = effect.subject.channel) {
+    axes.sites = {{.place = SitePlace::channel, .channel = *channel}};
+  }
   if (changes_the_offset(name)) {
     measure_offset(axes, effect);
     return axes;
   }
   measure_size(axes, effect, hardware);
   if (name == "viscous_loss") {
-    follow(axes, causes::covariate_named("speed_mm_s"));
+    follow(axes, causes::covariate_named(effect.cause->follows()));
     add_lever(axes, Target::force);
     axes.y = law_axis(Target::force, axes.sites.front());
     axes.law = [](const std::vector<double>& values, double x) { return values[0] * x; };

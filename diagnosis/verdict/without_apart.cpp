@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "diagnosis/fit/fit.hpp"
-#include "diagnosis/fit/left_noise.hpp"
 #include "diagnosis/verdict/share_error.hpp"
 
 namespace reeve::diagnosis {

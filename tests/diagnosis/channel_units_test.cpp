@@ -1,10 +1,9 @@
 // Sensors of planted data in another unit.
-#include "diagnosis/verdict/channel_units.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "diagnosis/verdict/model_doubts.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/has.hpp"
 #include "tests/support/planting.hpp"

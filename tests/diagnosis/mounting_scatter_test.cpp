@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "diagnosis/fit/left_noise.hpp"
 #include "diagnosis/fit/mounted_comparison.hpp"
 #include "diagnosis/fit/noise.hpp"
 #include "numerics/random.hpp"

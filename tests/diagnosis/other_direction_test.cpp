@@ -1,12 +1,11 @@
 // Directions that are written down the other way in one run of planted data.
-#include "diagnosis/verdict/other_direction.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/verdict/model_doubts.hpp"
 #include "diagnosis/verdict/run_words.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/has.hpp"

@@ -1,8 +1,8 @@
+#include "diagnosis/search/law_families.hpp"
+
 #include <map>
 #include <string>
 #include <vector>
-
-#include "diagnosis/search/law_families.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -47,6 +47,19 @@ void screen_parts(const LawColumns& columns, FoundLaws& found) {
   }
   if (runs.size() >= few_runs) screen(columns, runs, data.runs, &Site::run, found);
   if (groups.size() >= few_groups) screen(columns, groups, data.groups, &Site::group, found);
+}
+
+std::vector<ScreenedLaw> best_laws(const LawTable& table, const Problem& problem,
+                                   const Forecast& at, const Projection& projection,
+                                   const Eigen::VectorXd& residuals, std::size_t most) {
+  if (most == 0) return {};
+  const LawColumns columns(table, problem, at, projection, residuals);
+  FoundLaws found(columns);
+  const std::vector<Bend> bends = screen_straight(columns, found);
+  screen_waves(columns, found);
+  screen_parts(columns, found);
+  screen_bent(columns, bends, found);
+  return found.best(most);
 }
 
 }  // namespace reeve::diagnosis
