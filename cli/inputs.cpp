@@ -16,6 +16,7 @@
 #include "core/idle_values.hpp"
 #include "core/nearest_name.hpp"
 #include "core/notation.hpp"
+#include "reports/document/document.hpp"
 #include "reports/output/files.hpp"
 
 namespace reeve::cli {
@@ -28,10 +29,7 @@ bool looks_like_a_name(const std::string& text) {
 }
 
 std::string names(const Catalogue& catalogue) {
-  std::string list;
-  for (const CatalogueEntry& entry : catalogue.entries) {
-    list += (list.empty() ? "" : ", ") + entry.name;
-  }
+  std::string list = joined(catalogue.entries, ", ", &CatalogueEntry::name);
   const std::vector<std::string> families = catalogue.families();
   if (families.empty()) return list;
   return fmt::format("{}, a mechanism of {}", list, fmt::join(families, ", "));

@@ -126,11 +126,9 @@ Section others_section(const PowerReport& report) {
 }  // namespace
 
 std::string hidden_text(const Model& model) {
-  std::string text;
-  for (const Effect& effect : model.effects) {
-    text += (text.empty() ? "" : ", ") + hidden_effect_text(effect, model.hardware);
-  }
-  return text.empty() ? "no cause" : text;
+  if (model.effects.empty()) return "no cause";
+  return joined(model.effects, ", ",
+                [&](const Effect& effect) { return hidden_effect_text(effect, model.hardware); });
 }
 
 std::string simulation_csv(const SimulationReport& report) {

@@ -60,13 +60,11 @@ std::string parameter_text(const EstimatedParameter& parameter, const Effect& ef
 
 // "95 % intervals of a 0.1 to 0.2, of b 30 to 40"
 std::string intervals_text(const NamedCause& cause) {
-  std::string text = cause.parameters.size() == 1 ? "95 % interval" : "95 % intervals";
-  const char* comma = "";
-  for (const EstimatedParameter& parameter : cause.parameters) {
-    text += fmt::format("{} of {} {}", comma, parameter.name, interval_text(parameter));
-    comma = ",";
-  }
-  return text;
+  const auto of_one = [](const EstimatedParameter& parameter) {
+    return fmt::format("of {} {}", parameter.name, interval_text(parameter));
+  };
+  return fmt::format("95 % interval{} {}", cause.parameters.size() == 1 ? "" : "s",
+                     joined(cause.parameters, ", ", of_one));
 }
 
 }  // namespace
@@ -168,11 +166,10 @@ std::string lead_text(const Lead& lead) {
 }
 
 std::string leads_sentence(const DiagnosisReport& report) {
-  std::vector<std::string> texts;
-  for (const Lead& lead : report.result.leads) texts.push_back(lead_text(lead));
-  if (texts.empty()) return "";
-  return fmt::format("Strongest lead{}, not confirmed: {}.", texts.size() == 1 ? "" : "s",
-                     fmt::join(texts, "; "));
+  const std::vector<Lead>& leads = report.result.leads;
+  if (leads.empty()) return "";
+  return fmt::format("Strongest lead{}, not confirmed: {}.", leads.size() == 1 ? "" : "s",
+                     joined(leads, "; ", lead_text));
 }
 
 std::string gain_text(const HeldOut& held_out, std::size_t runs) {

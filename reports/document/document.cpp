@@ -38,6 +38,16 @@ void Document::add_all(std::vector<Section> more) {
   for (Section& section : more) add(std::move(section));
 }
 
+std::string enumerated(const std::vector<std::string>& items, const char* before_last,
+                       std::size_t most) {
+  const std::size_t shown = std::min(most, items.size());
+  std::string text;
+  for (std::size_t i = 0; i < shown; ++i) {
+    text += (i == 0 ? "" : i + 1 == items.size() ? before_last : ", ") + items[i];
+  }
+  return shown == items.size() ? text : text + fmt::format(" and {} more", items.size() - shown);
+}
+
 void add_lines(std::vector<DocumentLine>& lines, const std::string& text) {
   std::istringstream in(text);
   in.exceptions(std::ios::badbit);  // no memory is no end of the text

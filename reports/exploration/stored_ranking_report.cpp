@@ -38,13 +38,11 @@ std::vector<std::string> gap_texts(const StoredRanking& ranking) {
 }
 
 std::string inexact_note(const StoredRanking& ranking) {
-  std::string text;
-  for (const std::string& gap : gap_texts(ranking)) text += (text.empty() ? "" : "; ") + gap;
-  if (text.empty()) return "";
+  if (ranking.gaps.empty()) return "";
   return fmt::format(
       "not exact: {}. These are the best of what was kept; designs that were not may belong before "
       "or among them. An exploration with --keep all, or with these settings, has all",
-      text);
+      fmt::join(gap_texts(ranking), "; "));
 }
 
 std::string partial_text(const StoredRanking& ranking) {
