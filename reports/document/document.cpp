@@ -30,6 +30,17 @@ void Table::add(std::vector<std::string> cells, Tint tint) {
   rows.push_back({std::move(cells), tint});
 }
 
+Table columns_at(const Table& table, const std::vector<std::size_t>& places) {
+  Table result;
+  for (const std::size_t i : places) result.columns.push_back(table.columns[i]);
+  for (const TableRow& row : table.rows) {
+    std::vector<std::string> cells;
+    for (const std::size_t i : places) cells.push_back(row.cells[i]);
+    result.add(std::move(cells), row.tint);
+  }
+  return result;
+}
+
 void Document::add(Section section) {
   if (section.table || !section.lines.empty()) sections.push_back(std::move(section));
 }

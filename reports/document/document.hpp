@@ -51,6 +51,9 @@ struct Table {
   void add(std::vector<std::string> cells, Tint tint = Tint::none);
 };
 
+// Returns the table of the columns at these places.
+Table columns_at(const Table& table, const std::vector<std::size_t>& places);
+
 struct DocumentLine {
   std::string text;
   bool caveat = false;  // whoever reads the tables must see it too
@@ -79,6 +82,13 @@ struct TextStyle {
 };
 
 std::string text(const Document& document, const TextStyle& look = {});
+
+// In a narrow window dispensable columns of a table are left out, which a line below says; then
+// texts are wrapped; and what still finds no room follows below, with the first column again.
+std::string text(const Table& table, const TextStyle& look = {});
+
+// The line with the codes for its tint around it, if the look has colour.
+std::string inked(const std::string& line, Tint tint, const TextStyle& look);
 
 // Tables have pipes, as GitHub shows them.
 std::string markdown(const Document& document);
