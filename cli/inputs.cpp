@@ -10,12 +10,12 @@
 #include <limits>
 #include <utility>
 
-#include "cli/choice.hpp"
 #include "core/canonical.hpp"
 #include "core/graph.hpp"
 #include "core/idle_values.hpp"
 #include "core/nearest_name.hpp"
 #include "core/notation.hpp"
+#include "core/text.hpp"
 #include "reports/document/document.hpp"
 #include "reports/output/files.hpp"
 
@@ -115,6 +115,26 @@ void GivenRoutings::add(const Routing& routing) {
   throw InputError(fmt::format("routing '{}' is given twice{}", word, as));
 }
 
+CLI::Validator one_of(std::vector<std::string> names) {
+  const std::string set = fmt::format("{{{}}}", fmt::join(names, ","));
+  return CLI::Validator(
+      [names = std::move(names), set](const std::string& text) {
+        if (std::ranges::find(names, text) != names.end()) return std::string();
+        return fmt::format("{} not in {}{}", text, set, did_you_mean(text, names));
+      },
+      set);
+}
+
+CLI::Validator number_from(double low, double high) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        const auto number = number_in(text);
+        if (number && *number >= low && *number <= high) return std::string();
+        return fmt::format("Value '{}': expected a number from {} to {}", text, low, high);
+      },
+      "");
+}
+
 std::string is_seed(const std::string& text) {
   if (text.find('-') != std::string::npos) {
     return "Value " + text + " is negative: expected a whole number from 0";
@@ -179,9 +199,7 @@ void SvgOption::add_to(CLI::App& command, const std::string& what) {
 }
 
 void require_svg(const std::string& file, const std::string& option) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = lower(std::filesystem::path(file).extension().string());
   const std::vector<std::string> others{".pdf", ".png", ".eps", ".ps", ".jpg", ".jpeg", ".tif"};
   if (std::ranges::find(others, ending) == others.end()) return;
   const std::string stem = std::filesystem::path(file).replace_extension(".svg").string();

@@ -59,6 +59,12 @@ auto for_name(const std::string& start, Read read) {
   }
 }
 
+// Like CLI::IsMember, and suggests the name that a mistyped one most likely means.
+CLI::Validator one_of(std::vector<std::string> names);
+
+// CLI11's own ranges of numbers let NaN pass, and hexadecimal digits.
+CLI::Validator number_from(double low, double high);
+
 // A check of CLI11's for seeds: its conversion would take -1 and what is too large for the greatest
 // number.
 std::string is_seed(const std::string& text);

@@ -2,11 +2,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include <sstream>
 #include <utility>
 
 #include "cli/api.hpp"
 #include "cli/commands/commands.hpp"
+#include "core/text.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -24,10 +24,7 @@ std::vector<std::string> choices_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::size_t open = type.find('{');
   if (open == std::string::npos || !type.ends_with('}')) return {};
-  std::vector<std::string> choices;
-  std::istringstream items(type.substr(open + 1, type.size() - open - 2));
-  for (std::string item; std::getline(items, item, ',');) choices.push_back(item);
-  return choices;
+  return comma_separated(type.substr(open + 1, type.size() - open - 2));
 }
 
 OptionText text_of(const CLI::Option& option) {

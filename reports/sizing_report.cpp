@@ -19,7 +19,7 @@
 #include "reports/model_text.hpp"
 #include "reports/motor_words.hpp"
 #include "reports/output/json.hpp"
-#include "reports/output/telling_digits.hpp"
+#include "reports/shown_value.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 
 namespace reeve::reports {

@@ -22,7 +22,6 @@
 #include "core/error.hpp"
 #include "core/hand.hpp"
 #include "reports/exploration/design_list.hpp"
-#include "reports/exploration/exploration_id.hpp"
 #include "reports/exploration/explore_report.hpp"
 #include "reports/exploration/shard_file.hpp"
 #include "reports/exploration/tradeoff_report.hpp"

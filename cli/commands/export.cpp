@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
-#include "cli/choice.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/hand_inputs.hpp"

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "cli/api.hpp"
-#include "cli/choice.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/reading_flags.hpp"

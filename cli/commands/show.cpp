@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "cli/api.hpp"
-#include "cli/choice.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/tradeoff_flags.hpp"

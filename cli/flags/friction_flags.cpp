@@ -10,7 +10,6 @@
 #include <string_view>
 #include <utility>
 
-#include "cli/choice.hpp"
 #include "cli/inputs.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"

@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "cli/choice.hpp"
 #include "cli/inputs.hpp"
 
 namespace reeve::cli {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "catalog/price_file.hpp"
-#include "cli/choice.hpp"
 #include "cli/inputs.hpp"
 #include "core/error.hpp"
 

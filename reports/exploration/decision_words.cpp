@@ -11,7 +11,6 @@
 #include "reports/data_text.hpp"
 #include "reports/jam_words.hpp"
 #include "reports/motor_words.hpp"
-#include "reports/output/telling_digits.hpp"
 #include "reports/shown_value.hpp"
 
 namespace reeve::reports {

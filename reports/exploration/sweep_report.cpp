@@ -9,7 +9,7 @@
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/output/csv_field.hpp"
-#include "reports/output/telling_digits.hpp"
+#include "reports/shown_value.hpp"
 
 namespace reeve::reports {
 namespace {
