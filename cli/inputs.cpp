@@ -159,43 +159,28 @@ void add_threads(CLI::App& command, int& threads) {
 }
 
 CLI::Option* HardwareOption::add_to(CLI::App& command) {
-  option_ =
-      command.add_option("--hardware", file_,
-                         "TOML file of the parts, such as catalog/hardware/example.toml (default: "
-                         "the paper's)");
-  return option_;
+  return add(
+      command, "--hardware",
+      "TOML file of the parts, such as catalog/hardware/example.toml (default: the paper's)");
 }
 
 HardwareFile HardwareOption::read() const {
-  if (option_->count() == 0) return {};
-  if (file_.empty()) throw no_file("--hardware");
-  return read_hardware_file(file_);
+  if (!is_given()) return {};
+  if (text.empty()) throw no_file("--hardware");
+  return read_hardware_file(text);
 }
 
-std::string HardwareOption::name() const { return is_given() ? file_ : default_hardware_name; }
-
-void HardwareOption::list_in(std::vector<InputFile>& inputs) const {
-  if (is_given()) inputs.push_back({file_, "the hardware"});
-}
-
-CLI::Option* FamilyOption::add_to(CLI::App& command, const std::string& what) {
-  option_ = command.add_option("--family", family_, what);
-  return option_;
-}
+std::string HardwareOption::name() const { return is_given() ? text : default_hardware_name; }
 
 std::optional<std::string> FamilyOption::read(const Catalogue& catalogue) const {
   if (!is_given()) return std::nullopt;
   std::vector<std::string> families = catalogue.families();
   families.insert(families.begin(), paper_family);
-  if (std::ranges::find(families, family_) != families.end()) return family_;
+  if (std::ranges::find(families, text) != families.end()) return text;
   throw InputError({.what = "--family",
-                    .value = family_,
+                    .value = text,
                     .expected = fmt::format("one of {}{}", fmt::join(families, ", "),
-                                            did_you_mean(family_, families))});
-}
-
-void SvgOption::add_to(CLI::App& command, const std::string& what) {
-  option_ = command.add_option("--svg", file_, what);
+                                            did_you_mean(text, families))});
 }
 
 void require_svg(const std::string& file, const std::string& option) {
@@ -212,65 +197,57 @@ void require_svg(const std::string& file, const std::string& option) {
 
 void SvgOption::require_apart_from(const std::vector<InputFile>& inputs) const {
   if (!is_given()) return;
-  require_svg(file_, "--svg");
-  require_not_an_input(file_, inputs, "--svg");
-}
-
-void SvgOption::list_in(std::vector<InputFile>& taken) const {
-  if (is_given()) taken.push_back(written_by("--svg", file_));
+  require_svg(text, "--svg");
+  require_not_an_input(text, inputs, "--svg");
 }
 
 void SvgOption::write(const std::string& content) const {
-  require_file_can_be_written(file_, "--svg");
-  for_option("--svg", [&] { write_file(file_, content); });
+  require_file_can_be_written(text, "--svg");
+  for_option("--svg", [&] { write_file(text, content); });
 }
 
 CLI::Option* OutOption::add_to(CLI::App& command, const std::string& files) {
-  option_ =
-      command.add_option("--out", folder_, "Folder for " + files + " (default: none written)");
-  return option_;
+  return add(command, "--out", "Folder for " + files + " (default: none written)");
 }
 
 void OutOption::require_apart_from(const std::vector<InputFile>& inputs) const {
-  if (is_given()) require_no_input_in(folder_, inputs);
+  if (is_given()) require_no_input_in(text, inputs);
 }
 
 std::filesystem::path OutOption::prepare() const {
-  prepare_directory(folder_, "--out");
-  require_file_can_be_written(std::filesystem::path(folder_) / "index.html", "--out");
-  return folder_;
+  prepare_directory(text, "--out");
+  require_file_can_be_written(std::filesystem::path(text) / "index.html", "--out");
+  return text;
 }
 
 void ModelOption::add_to(CLI::App& command) {
   CLI::Option* hardware = hardware_.add_to(command);
-  option_ = command
-                .add_option("--model", file_,
-                            "TOML file with hardware and effects beyond the friction model; see "
-                            "catalog/model/example.toml")
-                ->excludes(hardware);
+  model_
+      .add(command, "--model",
+           "TOML file with hardware and effects beyond the friction model; see "
+           "catalog/model/example.toml")
+      ->excludes(hardware);
 }
 
 void ModelOption::add_with_friction_to(CLI::App& command) {
   add_to(command);
   friction_.add_to(command);
-  friction_.exclude(*option_);
+  friction_.exclude(*model_.option);
 }
 
 ModelFile ModelOption::read(const Catalogue& catalogue) const {
-  if (option_->count() > 0) {
-    if (file_.empty()) throw no_file("--model");
-    return read_model_file(file_, catalogue);
+  if (model_.is_given()) {
+    if (model_.text.empty()) throw no_file("--model");
+    return read_model_file(model_.text, catalogue);
   }
   HardwareFile file = hardware_.read();
   friction_.apply(file.hardware);
   return {{file.hardware}, file.uncertainty, file.vary};
 }
 
-std::string ModelOption::name() const { return option_->count() > 0 ? file_ : hardware_.name(); }
-
 void ModelOption::list_in(std::vector<InputFile>& inputs) const {
-  hardware_.list_in(inputs);
-  if (option_->count() > 0) inputs.push_back({file_, "the model"});
+  hardware_.list_in(inputs, "the hardware");
+  model_.list_in(inputs, "the model");
 }
 
 void require_hardware_to_fit(const Hardware& hardware, const std::vector<Routing>& routings) {

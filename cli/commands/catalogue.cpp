@@ -25,7 +25,7 @@ struct CatalogueFlags {
 };
 
 void add_options(CLI::App& command, CatalogueFlags& flags) {
-  flags.family.add_to(command, "Only this family: paper, or a folder of catalog/families");
+  flags.family.add(command, "--family", "Only this family: paper, or a folder of catalog/families");
   command.add_option("--fingers", flags.fingers, "Only mechanisms with this number of fingers")
       ->check(CLI::Range(1, max_fingers));
   flags.out.add_to(command, "index.html with a drawing of each, catalogue.json and figures/");

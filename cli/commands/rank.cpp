@@ -46,8 +46,7 @@ struct RankFlags {
   FamilyOption family;
   bool margin = false;
   OutOption out;
-  std::string data;
-  CLI::Option* data_given = nullptr;
+  TextOption data;
   ReadingFlags readings;
   std::string distributions = "0.18,0.09";
   RankingFlags ranking;
@@ -102,8 +101,8 @@ RankInputs read(const RankFlags& flags) {
   require_values_to_act(inputs.file.model.hardware, inputs.routings);
   require_known_fingers(inputs.file.model.hardware, finger_count(inputs.routings.front()));
   inputs.cases = read_friction_cases(flags.distributions, inputs.file.model);
-  if (flags.data_given->count() > 0) {
-    inputs.data = flags.readings.read(flags.data, inputs.catalogue);
+  if (flags.data.is_given()) {
+    inputs.data = flags.readings.read(flags.data.text, inputs.catalogue);
   }
   return inputs;
 }
@@ -154,8 +153,8 @@ RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
 void require_places(const RankFlags& flags) {
   std::vector<InputFile> inputs;
   flags.model.list_in(inputs);
-  flags.tradeoff.prices.list_in(inputs);
-  if (flags.data_given->count() > 0) inputs.push_back({flags.data, "the data"});
+  flags.tradeoff.prices.list_in(inputs, "the prices");
+  flags.data.list_in(inputs, "the data");
   flags.out.require_apart_from(inputs);
 }
 
@@ -188,9 +187,9 @@ Document shortest_document(const RankRequest& asked, const ListedWith& with,
 void require_all_to_be_shown(const RankFlags& flags) {
   const char* asked = flags.margin ? "--margin" : flags.sweep.text.empty() ? "" : "--sweep";
   if (*asked == '\0' || flags.out.is_given()) return;
-  const char* lacks = flags.format.is("csv")          ? "--format csv"
-                      : !flags.tables.columns.empty() ? "--columns"
-                                                      : "";
+  const char* lacks = flags.format.is("csv")               ? "--format csv"
+                      : !flags.tables.columns.text.empty() ? "--columns"
+                                                           : "";
   if (*lacks == '\0') return;
   throw InputError({.where = asked,
                     .what = fmt::format("{} prints the ranking alone", lacks),
@@ -199,7 +198,7 @@ void require_all_to_be_shown(const RankFlags& flags) {
 }
 
 int run(const RankFlags& flags, const CLI::App& command) {
-  if (flags.stored.is_given()) {
+  if (flags.stored.store.is_given()) {
     return rank_stored(command, flags.stored, flags.tables, flags.format);
   }
   require_all_to_be_shown(flags);
@@ -244,8 +243,8 @@ void add_options(CLI::App& command, RankFlags& flags) {
                        "All routings of one family of the catalogue that have the same number of "
                        "fingers, or --fingers");
   flags.family
-      .add_to(command,
-              "Family of --catalogue: paper, or a folder of catalog/families (default: paper)")
+      .add(command, "--family",
+           "Family of --catalogue: paper, or a folder of catalog/families (default: paper)")
       ->needs(catalog);
   flags.fingers_given = command
                             .add_option("--fingers", flags.fingers,
@@ -258,14 +257,12 @@ void add_options(CLI::App& command, RankFlags& flags) {
                    "is least");
   CLI::Option* out =
       flags.out.add_to(command, "index.html, ranking.json, tradeoff.csv, sweep.csv and figures/");
-  flags.data_given =
-      command
-          .add_option("--data", flags.data,
-                      "CSV file of readings to draw on the page beside the model's tensions; see "
-                      "docs/data.md")
-          ->check(names_a_file)
-          ->needs(out);
-  flags.readings.add_to(command, flags.data_given);
+  flags.data
+      .add(command, "--data",
+           "CSV file of readings to draw on the page beside the model's tensions; see docs/data.md")
+      ->check(names_a_file)
+      ->needs(out);
+  flags.readings.add_to(command, flags.data.option);
   command
       .add_option("--distribution-mu", flags.distributions,
                   "Friction coefficients of the tension distributions on the page; 'model': "

@@ -93,9 +93,9 @@ ShownRouting report(const ShowFlags& flags) {
 void require_places(const ShowFlags& flags) {
   std::vector<InputFile> inputs;
   flags.model.list_in(inputs);
-  flags.prices.list_in(inputs);
+  flags.prices.list_in(inputs, "the prices");
   flags.svg.require_apart_from(inputs);
-  flags.svg.list_in(inputs);
+  flags.svg.list_in(inputs, "the file of --svg");
   flags.out.require_apart_from(inputs);
 }
 
@@ -179,9 +179,9 @@ void add_options(CLI::App& command, ShowFlags& flags) {
   command.add_option("--direction", flags.direction, "Direction of the carriage")
       ->check(one_of({"pull", "release"}))
       ->capture_default_str();
-  flags.svg.add_to(command,
-                   "SVG file with a drawing in the grasp of --held (without --held: parts "
-                   "alone, no tensions)");
+  flags.svg.add(command, "--svg",
+                "SVG file with a drawing in the grasp of --held (without --held: parts "
+                "alone, no tensions)");
   flags.out.add_to(command, "a page, index.html, with routing.json and figures/");
   flags.prices.add_to(command, "adds what this routing costs");
   flags.model.add_with_friction_to(command);

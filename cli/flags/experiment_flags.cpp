@@ -218,19 +218,15 @@ void ExperimentFlags::add_to(CLI::App& command) {
       .add_option("--motor-tension", motor_tension,
                   "Motor tensions in N: a range 5:60 or a list 5,10,20")
       ->capture_default_str();
-  speed_ = command.add_option("--speed", speed,
-                              "Speeds in mm/s: a range or a list (default: no such column)");
-  cycles_ = command.add_option(
-      "--cycles", cycles,
-      "Cycle numbers, rising over the experiment: a range or a list (default: no "
-      "such column)");
-  temperature_ =
-      command.add_option("--temperature", temperature,
-                         "Temperatures in C: a range or a list (default: no such column)");
-  sheath_angle_ =
-      command.add_option("--sheath-angle", sheath_angle,
-                         "Wrap angles of all sheaths in rad: a range or a list (default: the "
-                         "hardware's)");
+  speed.add(command, "--speed", "Speeds in mm/s: a range or a list (default: no such column)");
+  cycles.add(command, "--cycles",
+             "Cycle numbers, rising over the experiment: a range or a list (default: no such "
+             "column)");
+  temperature.add(command, "--temperature",
+                  "Temperatures in C: a range or a list (default: no such column)");
+  sheath_angle.add(
+      command, "--sheath-angle",
+      "Wrap angles of all sheaths in rad: a range or a list (default: the hardware's)");
   command
       .add_option("--column", columns,
                   "A further column that varies between readings, such as humidity_pct=20:80; "
@@ -265,20 +261,20 @@ void ExperimentFlags::add_to(CLI::App& command) {
 }
 
 ExperimentPlan ExperimentFlags::read_plan(const Catalogue& catalogue) const {
-  constexpr Range any_temperature{-273.15, 1e4};
+  const auto levels_of = [](const TextOption& levels, Range range) {
+    return levels.is_given()
+               ? std::optional(read_levels(levels.option->get_name(), levels.text, range))
+               : std::nullopt;
+  };
   ExperimentPlan plan;
   plan.routings = read_routings(*this, catalogue);
   plan.directions = read_directions(directions);
   plan.channels = read_channels(channels, plan.routings);
   plan.motor_tension_N = read_levels("--motor-tension", motor_tension, {0, 1e6});
-  if (speed_->count() > 0) plan.speed_mm_s = read_levels("--speed", speed, {1e-3, 1e6});
-  if (cycles_->count() > 0) plan.cycle = read_levels("--cycles", cycles, {0, 1e9});
-  if (temperature_->count() > 0) {
-    plan.temperature_C = read_levels("--temperature", temperature, any_temperature);
-  }
-  if (sheath_angle_->count() > 0) {
-    plan.sheath_angle_rad = read_levels("--sheath-angle", sheath_angle, {0, 100});
-  }
+  plan.speed_mm_s = levels_of(speed, {1e-3, 1e6});
+  plan.cycle = levels_of(cycles, {0, 1e9});
+  plan.temperature_C = levels_of(temperature, {-273.15, 1e4});
+  plan.sheath_angle_rad = levels_of(sheath_angle, {0, 100});
   plan.columns = read_columns(*this);
   plan.runs = runs;
   plan.rows = rows;

@@ -18,10 +18,9 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
                            "more blocks")
                ->check(one_of({"paper", "full", "all", "field"}))
                ->capture_default_str();
-  tips_ =
-      command.add_option("--tips", tips, "Kinds of fingertips in place of the set's: tube,bearing");
-  joins_ = command.add_option("--joins", joins, "Kinds of joins in place of the set's: T,B,P");
-  ends_ = command.add_option("--ends", ends, "Kinds of ends in place of the set's: M,F");
+  tips.add(command, "--tips", "Kinds of fingertips in place of the set's: tube,bearing");
+  joins.add(command, "--joins", "Kinds of joins in place of the set's: T,B,P");
+  ends.add(command, "--ends", "Kinds of ends in place of the set's: M,F");
   command.add_flag("--anchored", anchored,
                    "Also tendons that are tied at a fingertip, such as M-1x");
   blocks_ =
@@ -69,9 +68,9 @@ GeneratorOptions GeneratorFlags::read_parts() const {
   options.parts.double_passes = double_passes;
   if (blocks_->count() > 0) options.parts.blocks = blocks;
   for_name("--", [&] {
-    if (tips_->count() > 0) options.parts.tips = parse_tips(tips);
-    if (joins_->count() > 0) options.parts.joins = parse_joins(joins);
-    if (ends_->count() > 0) options.parts.ends = parse_ends(ends);
+    if (tips.is_given()) options.parts.tips = parse_tips(tips.text);
+    if (joins.is_given()) options.parts.joins = parse_joins(joins.text);
+    if (ends.is_given()) options.parts.ends = parse_ends(ends.text);
     options.parts.beside = parse_joins(beside, "beside-ends");
     validate(options.parts);
   });
