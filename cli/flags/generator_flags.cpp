@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
 #include "cli/inputs.hpp"
+#include "reports/exploration/part_words.hpp"
 
 namespace reeve::cli {
 
@@ -31,15 +34,15 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
           ->check(CLI::Range(0, max_generated_blocks));
   command.add_option("--beside-ends", beside,
                      "Joins that may stand beside an end or a block's tail, such as P in F-P-1x");
-  command.add_flag("--linked", linked,
+  command.add_flag("--linked", switches.linked,
                    "Also blocks tied tail to tail, such as Y1-Y2+1x-Y1-2x+M-Y2-3x");
-  command.add_flag("--series", series,
+  command.add_flag("--series", switches.series,
                    "Also blocks in series on one tendon, such as M-Y1-Y2-M+Y1-1x+Y2-2x");
-  command.add_flag("--bars", bars,
+  command.add_flag("--bars", switches.bars,
                    "Also rigid bars in place of blocks, such as M-W1+1x-W1/1:2-Y1+2x-Y1-3x");
-  command.add_flag("--beckets", beckets,
+  command.add_flag("--beckets", switches.beckets,
                    "Also tendons tied to the block that they pass, such as M-Y1+Y1k-1-Y1-2x");
-  command.add_flag("--double-passes", double_passes,
+  command.add_flag("--double-passes", switches.double_passes,
                    "Also tendons that pass their block twice, such as M-Y1+1x-Y1-2-Y1-3x");
   command
       .add_option("--motors", motors,
@@ -61,11 +64,7 @@ GeneratorOptions GeneratorFlags::read_parts() const {
   options.parts = parts == "paper" ? paper_parts() : parts == "all" ? all_parts() : full_parts();
   options.parts.motors = motors;
   if (anchored) options.parts.anchored = true;
-  options.parts.linked = linked;
-  options.parts.series = series;
-  options.parts.bars = bars;
-  options.parts.beckets = beckets;
-  options.parts.double_passes = double_passes;
+  for (const PartSwitch& part : part_switches) options.parts.*part.is_in = switches.*part.is_in;
   if (blocks_->count() > 0) options.parts.blocks = blocks;
   for_name("--", [&] {
     if (tips.is_given()) options.parts.tips = parse_tips(tips.text);
@@ -82,16 +81,13 @@ namespace {
 // Without these blocks a routing has none of what such a switch asks for. `from` says what their
 // number comes from.
 void require_blocks(const PartSet& parts, const std::string& from) {
-  const auto require = [&](const char* name, bool is_asked, int least) {
-    if (!is_asked || parts.blocks >= least) return;
-    throw InputError({.what = fmt::format("{} with {}", name, from),
-                      .expected = fmt::format("--blocks {} at least", least)});
-  };
-  require("--linked", parts.linked, 2);
-  require("--series", parts.series, 2);
-  require("--bars", parts.bars, 1);
-  require("--beckets", parts.beckets, 1);
-  require("--double-passes", parts.double_passes, 1);
+  for (const PartSwitch& part : part_switches) {
+    if (!(parts.*part.is_in) || parts.blocks >= part.least_blocks) continue;
+    std::string option = std::string("--") + part.name;
+    std::ranges::replace(option, '_', '-');
+    throw InputError({.what = fmt::format("{} with {}", option, from),
+                      .expected = fmt::format("--blocks {} at least", part.least_blocks)});
+  }
 }
 
 }  // namespace

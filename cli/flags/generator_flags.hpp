@@ -28,11 +28,7 @@ struct GeneratorFlags {
   int blocks = 0;
   int motors = 1;
   std::string beside;
-  bool linked = false;
-  bool series = false;
-  bool bars = false;
-  bool beckets = false;
-  bool double_passes = false;
+  PartSet switches;  // only what part_switches has of it
   std::string tendons = "any";
   bool distinct = false;
 
