@@ -170,9 +170,7 @@ void add_distributions(RankReport& report, TensionDistributions distributions) {
 Document shortest_document(const RankRequest& asked, const ListedWith& with,
                            const ListColumns& columns) {
   RankReport report;
-  report.order = asked.order;
-  report.score = asked.score;
-  report.prices = asked.prices;
+  static_cast<RankSettings&>(report) = static_cast<const RankSettings&>(asked);
   if (asked.draws) report.uncertainty = uncertainty_of(asked);
   for (const Routing& routing : asked.routings) {
     report.designs.push_back(shortest_line(to_word(routing), asked.order, with));
@@ -213,10 +211,9 @@ int run(const RankFlags& flags, const CLI::App& command) {
   require_places(flags);
   // First what may still refuse its input: then the folder, then what takes long.
   TensionDistributions distributions;
-  std::filesystem::path folder;
   if (flags.out.is_given()) {
     distributions = distributions_of(inputs);
-    folder = flags.out.prepare();
+    flags.out.prepare();
   }
   std::optional<RankReport> report = supervised([&](const StudySupervision& supervision) {
     return ranking_study(asked, inputs.catalogue, supervision);
@@ -224,14 +221,14 @@ int run(const RankFlags& flags, const CLI::App& command) {
   if (!report) throw Interrupted();
   if (report->details) {
     add_distributions(*report, std::move(distributions));
-    write_page(*report, folder, command);
+    write_page(*report, flags.out.text, command);
   }
   print(*report, flags, columns);
   if (flags.out.is_given()) {
     std::cout << announced(report->sweep
                                ? "index.html, tradeoff.csv, sweep.csv, ranking.json and figures"
                                : "index.html, tradeoff.csv, ranking.json and figures",
-                           folder, flags.format);
+                           flags.out.text, flags.format);
   }
   return done;
 }
