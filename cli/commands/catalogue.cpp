@@ -50,15 +50,11 @@ void write_page(const std::filesystem::path& folder, const std::vector<ListedMec
 
 int run(const CatalogueFlags& flags, const CLI::App& command) {
   const std::vector<ListedMechanism> list = listed(flags);
-  std::filesystem::path folder;
-  if (flags.out.is_given()) {
-    folder = flags.out.prepare();
-    write_page(folder, list, command);
-  }
+  if (flags.out.is_given()) write_page(flags.out.prepare(), list, command);
   std::cout << (flags.format.is("json") ? catalogue_json(list)
                                         : printed(catalogue_sheet(list), flags.format));
   if (flags.out.is_given()) {
-    std::cout << announced("index.html, catalogue.json and figures", folder, flags.format);
+    std::cout << announced("index.html, catalogue.json and figures", flags.out.text, flags.format);
   }
   return done;
 }

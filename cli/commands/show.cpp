@@ -140,11 +140,7 @@ int run(const ShowFlags& flags, const CLI::App& command) {
   require_one_grasp_to_draw(flags);
   require_places(flags);
   if (flags.svg.is_given()) write_drawing(flags, shown);
-  std::filesystem::path folder;
-  if (flags.out.is_given()) {
-    folder = flags.out.prepare();
-    write_page(folder, shown, command);
-  }
+  if (flags.out.is_given()) write_page(flags.out.prepare(), shown, command);
   if (flags.format.is("json")) {
     std::cout << show_json(shown);
   } else if (flags.format.is("dot")) {
@@ -153,7 +149,7 @@ int run(const ShowFlags& flags, const CLI::App& command) {
     std::cout << printed(show_document(shown), flags.format);
   }
   if (flags.out.is_given()) {
-    std::cout << announced("index.html, routing.json and figures", folder, flags.format);
+    std::cout << announced("index.html, routing.json and figures", flags.out.text, flags.format);
   }
   return done;
 }

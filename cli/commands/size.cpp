@@ -335,8 +335,7 @@ SizingReport sized(const SizeFlags& flags, const SizeInputs& inputs,
 int run(const SizeFlags& flags, const CLI::App& command) {
   const SizeInputs inputs = read(flags);
   require_places(flags);
-  std::filesystem::path folder;
-  if (flags.out.is_given()) folder = flags.out.prepare();
+  if (flags.out.is_given()) flags.out.prepare();
   SizingReport report = supervised(
       [&](const StudySupervision& supervision) { return sized(flags, inputs, supervision); });
   if (flags.save.is_given()) {
@@ -344,11 +343,11 @@ int run(const SizeFlags& flags, const CLI::App& command) {
   }
   if (flags.out.is_given()) {
     report.details = sizing_details(report, inputs.catalogue);
-    write_page(report, folder, sizing_command(command));
+    write_page(report, flags.out.text, sizing_command(command));
   }
   print(report, flags, inputs.columns);
   if (flags.out.is_given()) {
-    std::cout << announced("index.html, sizing.json and figures", folder, flags.format);
+    std::cout << announced("index.html, sizing.json and figures", flags.out.text, flags.format);
   }
   if (report.partial) return interrupted;
   return best_meets_target(report) ? done : answer_is_no;
