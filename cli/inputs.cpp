@@ -151,11 +151,9 @@ std::string names_a_file(const std::string& text) {
 }
 
 void add_threads(CLI::App& command, int& threads) {
-  command
-      .add_option("--threads", threads,
-                  "Number of threads; 0: all. The result does not depend on it")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+  add_with_default(command, "--threads", threads,
+                   "Number of threads; 0: all. The result does not depend on it")
+      ->check(CLI::Range(0, 1024));
 }
 
 CLI::Option* HardwareOption::add_to(CLI::App& command) {
@@ -309,9 +307,7 @@ void require_values_to_act(const Hardware& hardware, const std::vector<Routing>&
 }
 
 void FormatOption::add_to(CLI::App& command, const std::vector<std::string>& formats) {
-  command.add_option("--format", format, "How to print the result")
-      ->check(one_of(formats))
-      ->capture_default_str();
+  add_with_default(command, "--format", format, "How to print the result")->check(one_of(formats));
 }
 
 std::vector<Constraint> read_constraints(const std::vector<std::string>& texts) {

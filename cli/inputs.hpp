@@ -59,6 +59,13 @@ auto for_name(const std::string& start, Read read) {
   }
 }
 
+// Adds an option whose value at first is its default.
+template <typename Value>
+CLI::Option* add_with_default(CLI::App& command, const std::string& name, Value& value,
+                              const std::string& help) {
+  return command.add_option(name, value, help)->capture_default_str();
+}
+
 // Like CLI::IsMember, and suggests the name that a mistyped one most likely means.
 CLI::Validator one_of(std::vector<std::string> names);
 

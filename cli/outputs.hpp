@@ -19,14 +19,15 @@ struct InputFile {
   std::string what;
 };
 
-// An option whose value is a text. One that is given may be empty.
+// An option whose value is a text, with the text that it has at first as its default. One that is
+// given may be empty.
 struct TextOption {
   std::string text{};
   CLI::Option* option = nullptr;
 
   CLI::Option* add(CLI::App& command, const std::string& name, const std::string& help) {
     option = command.add_option(name, text, help);
-    return option;
+    return text.empty() ? option : option->capture_default_str();
   }
   bool is_given() const { return option != nullptr && option->count() > 0; }
   // Lists the file that it names, if it is given.

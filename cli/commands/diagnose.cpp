@@ -169,29 +169,22 @@ int run(const DiagnoseFlags& flags, const CLI::App& command) {
 
 void add_settings(CLI::App& command, DiagnoseFlags& flags) {
   DiagnosisSettings& settings = flags.settings;
-  command
-      .add_option("--alpha", settings.alpha,
-                  "Significance level of a coefficient that differs; a quarter of it for "
-                  "further structure")
-      ->check(number_from(least_alpha, 0.5))
-      ->capture_default_str();
-  command
-      .add_option(
-          "--hold-out", settings.hold_out,
-          "Share of the runs held out from the search, for a final test of the gain (0: cross-validation)")
-      ->check(number_from(0, 0.9))
-      ->capture_default_str();
-  command
-      .add_option("--seed", settings.seed, "Seed of the folds of runs and of simulated data sets")
-      ->check(is_seed)
-      ->capture_default_str();
+  add_with_default(command, "--alpha", settings.alpha,
+                   "Significance level of a coefficient that differs; a quarter of it for "
+                   "further structure")
+      ->check(number_from(least_alpha, 0.5));
+  add_with_default(
+      command, "--hold-out", settings.hold_out,
+      "Share of the runs held out from the search, for a final test of the gain (0: cross-validation)")
+      ->check(number_from(0, 0.9));
+  add_with_default(command, "--seed", settings.seed,
+                   "Seed of the folds of runs and of simulated data sets")
+      ->check(is_seed);
   flags.replicates_given =
-      command
-          .add_option("--replicates", settings.replicates,
-                      "Number of simulated data sets by which findings are judged; at least 8 / "
-                      "alpha")
-          ->check(CLI::Range(std::size_t{99}, most_replicates))
-          ->capture_default_str();
+      add_with_default(command, "--replicates", settings.replicates,
+                       "Number of simulated data sets by which findings are judged; at least 8 / "
+                       "alpha")
+          ->check(CLI::Range(std::size_t{99}, most_replicates));
   command
       .add_option(
           "--mounting-scatter", settings.mounting_scatter,

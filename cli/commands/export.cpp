@@ -54,9 +54,8 @@ int run(const ExportFlags& flags, const CLI::App&) {
 
 void add_options(CLI::App& command, ExportFlags& flags) {
   command.add_option("routing", flags.routing, "Catalogue name or word")->required();
-  command.add_option("--format", flags.format, "mjcf: the XML of MuJoCo")
-      ->check(one_of({"mjcf"}))
-      ->capture_default_str();
+  add_with_default(command, "--format", flags.format, "mjcf: the XML of MuJoCo")
+      ->check(one_of({"mjcf"}));
   flags.out.add(command, "-o,--output", "File (default: standard output)");
   flags.hardware.add_to(command);
 }

@@ -125,21 +125,15 @@ void add_labels(CLI::App& command, ImportFlags& flags) {
 }
 
 void add_steadiness(CLI::App& command, SteadyOptions& options) {
-  command
-      .add_option("--min-duration", options.min_duration_s,
-                  "Least duration of a reading in seconds")
-      ->check(number_from(0.1, 3600))
-      ->capture_default_str();
-  command
-      .add_option("--tolerance", options.tolerance,
-                  "Greatest relative change of a steady tension, besides its noise")
-      ->check(number_from(0.0001, 0.5))
-      ->capture_default_str();
-  command
-      .add_option("--readings-per-stroke", options.readings_per_stroke,
-                  "Greatest number of readings of one stroke with a rising or falling load")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{20}))
-      ->capture_default_str();
+  add_with_default(command, "--min-duration", options.min_duration_s,
+                   "Least duration of a reading in seconds")
+      ->check(number_from(0.1, 3600));
+  add_with_default(command, "--tolerance", options.tolerance,
+                   "Greatest relative change of a steady tension, besides its noise")
+      ->check(number_from(0.0001, 0.5));
+  add_with_default(command, "--readings-per-stroke", options.readings_per_stroke,
+                   "Greatest number of readings of one stroke with a rising or falling load")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{20}));
   command.add_flag("--reverse", options.reverse,
                    "Position and speed of the log fall while the carriage pulls");
 }

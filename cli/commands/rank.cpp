@@ -243,12 +243,10 @@ void add_options(CLI::App& command, RankFlags& flags) {
       .add(command, "--family",
            "Family of --catalogue: paper, or a folder of catalog/families (default: paper)")
       ->needs(catalog);
-  flags.fingers_given = command
-                            .add_option("--fingers", flags.fingers,
-                                        "Number of fingers, for --catalogue without routings")
+  flags.fingers_given = add_with_default(command, "--fingers", flags.fingers,
+                                         "Number of fingers, for --catalogue without routings")
                             ->needs(catalog)
-                            ->check(CLI::Range(1, max_fingers))
-                            ->capture_default_str();
+                            ->check(CLI::Range(1, max_fingers));
   command.add_flag("--margin", flags.margin,
                    "Find the coefficients, within their ranges, at which the best design's lead "
                    "is least");
@@ -260,12 +258,10 @@ void add_options(CLI::App& command, RankFlags& flags) {
       ->check(names_a_file)
       ->needs(out);
   flags.readings.add_to(command, flags.data.option);
-  command
-      .add_option("--distribution-mu", flags.distributions,
-                  "Friction coefficients of the tension distributions on the page; 'model': "
-                  "those of the model")
-      ->needs(out)
-      ->capture_default_str();
+  add_with_default(command, "--distribution-mu", flags.distributions,
+                   "Friction coefficients of the tension distributions on the page; 'model': "
+                   "those of the model")
+      ->needs(out);
   flags.stored.add_to(command);
   flags.ranking.add_to(command);
   flags.tradeoff.add_to(command);

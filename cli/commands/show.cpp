@@ -172,9 +172,8 @@ void add_options(CLI::App& command, ShowFlags& flags) {
                   "Held fingers, such as 1,2 or none; may be repeated (default: none, and each "
                   "finger alone)")
       ->allow_extra_args(false);
-  command.add_option("--direction", flags.direction, "Direction of the carriage")
-      ->check(one_of({"pull", "release"}))
-      ->capture_default_str();
+  add_with_default(command, "--direction", flags.direction, "Direction of the carriage")
+      ->check(one_of({"pull", "release"}));
   flags.svg.add(command, "--svg",
                 "SVG file with a drawing in the grasp of --held (without --held: parts "
                 "alone, no tensions)");

@@ -223,9 +223,8 @@ void add_options(CLI::App& command, SimulateFlags& flags) {
                               "Parameter of the --cause before it, such as gain=1.08")
                   ->allow_extra_args(false);
   flags.model.add_to(command);
-  command.add_option("--seed", flags.seed, "Seed of the conditions and the noise")
-      ->check(is_seed)
-      ->capture_default_str();
+  add_with_default(command, "--seed", flags.seed, "Seed of the conditions and the noise")
+      ->check(is_seed);
   flags.out.add(command, "-o,--output", "CSV file (default: standard output)");
   CLI::Option* power =
       command

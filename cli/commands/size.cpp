@@ -53,20 +53,16 @@ struct SizeFlags {
 };
 
 void add_goal(CLI::App& command, SizeFlags& flags) {
-  CLI::Option* goal =
-      command
-          .add_option("--goal", flags.goal,
-                      "Goal: an objective, a product such as uniformity_worst*efficiency_worst, or "
-                      "score (of --score)")
-          ->capture_default_str();
+  CLI::Option* goal = add_with_default(
+      command, "--goal", flags.goal,
+      "Goal: an objective, a product such as uniformity_worst*efficiency_worst, or "
+      "score (of --score)");
   flags.target
       .add(command, "--target",
            "In place of a goal: ratio of the fingers' pulls, such as 1=2,others=1")
       ->excludes(goal);
-  flags.score.add(command, "--score", "For --goal score: objectives with weights")
-      ->default_str("authors");
-  flags.grasps.add(command, "--grasps", "Grasps as in rank; the default for --target is none held")
-      ->capture_default_str();
+  flags.score.add(command, "--score", "For --goal score: objectives with weights");
+  flags.grasps.add(command, "--grasps", "Grasps as in rank; the default for --target is none held");
 }
 
 void add_search(CLI::App& command, SizeFlags& flags) {
@@ -75,21 +71,17 @@ void add_search(CLI::App& command, SizeFlags& flags) {
       command.add_flag("--nominal", flags.nominal,
                        "Size for the nominal coefficients, not for the 5 % quantile over their "
                        "ranges");
-  command.add_option("--draws", search.draws, "Number of draws of the coefficients")
+  add_with_default(command, "--draws", search.draws, "Number of draws of the coefficients")
       ->excludes(nominal)
-      ->check(CLI::Range(std::size_t{1}, std::size_t{10000}))
-      ->capture_default_str();
-  command.add_option("--seed", search.seed, "Seed of the draws and of the starts")
-      ->check(is_seed)
-      ->capture_default_str();
-  command.add_option("--starts", search.starts, "Number of local searches besides the global one")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command
-      .add_option("--evaluations", search.evaluations,
-                  "Greatest number of evaluations in each search")
-      ->check(CLI::Range(10, 1000000))
-      ->capture_default_str();
+      ->check(CLI::Range(std::size_t{1}, std::size_t{10000}));
+  add_with_default(command, "--seed", search.seed, "Seed of the draws and of the starts")
+      ->check(is_seed);
+  add_with_default(command, "--starts", search.starts,
+                   "Number of local searches besides the global one")
+      ->check(CLI::Range(1, 1000));
+  add_with_default(command, "--evaluations", search.evaluations,
+                   "Greatest number of evaluations in each search")
+      ->check(CLI::Range(10, 1000000));
   add_threads(command, search.threads);
 }
 
@@ -97,10 +89,9 @@ void add_options(CLI::App& command, SizeFlags& flags) {
   command.add_option("routing", flags.routings, "Catalogue names or words");
   flags.from.add(command, "--from", "Folder of an exploration, whose best designs are sized too")
       ->check(names_a_file);
-  command.add_option("--top", flags.top, "Number of designs of --from")
+  add_with_default(command, "--top", flags.top, "Number of designs of --from")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
-      ->needs(flags.from.option)
-      ->capture_default_str();
+      ->needs(flags.from.option);
   command
       .add_option("--vary", flags.vary,
                   "Vary, as X=3..9: sheath_angle tip_angle strand_mm closing arm_mm contact_angle "

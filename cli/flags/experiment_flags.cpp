@@ -201,7 +201,7 @@ std::vector<Segment> read_channels(const std::string& text,
 void ExperimentFlags::add_to(CLI::App& command) {
   const CLI::Range count(std::size_t{1}, max_planned_readings);
   const auto add = [&](const char* name, auto& value, const char* help) {
-    return command.add_option(name, value, help)->capture_default_str();
+    return add_with_default(command, name, value, help);
   };
   const auto add_list = [&](const char* name, std::vector<std::string>& values, const char* help) {
     command.add_option(name, values, help)->allow_extra_args(false);

@@ -48,20 +48,17 @@ void StoreFlags::add_to(CLI::App& command) {
   file_.add(command, "--store",
             "SQLite file that keeps the exploration, and from which it continues; see "
             "docs/store.md");
-  command
-      .add_option("--store-every", seconds_,
-                  "Seconds between two writes of the store; 0: after every batch")
+  add_with_default(command, "--store-every", seconds_,
+                   "Seconds between two writes of the store; 0: after every batch")
       ->needs(file_.option)
-      ->check(CLI::Range(0, a_day))
-      ->capture_default_str();
+      ->check(CLI::Range(0, a_day));
   keep_
       .add(
           command, "--keep",
           "Designs in the store: best (those that are listed), or all, which rank --store can rank "
           "anew")
       ->needs(file_.option)
-      ->check(one_of({"best", "all"}))
-      ->capture_default_str();
+      ->check(one_of({"best", "all"}));
 }
 
 void StoreFlags::open(std::optional<ExplorationStore>& store, const ExploreReport& planned,
@@ -181,22 +178,18 @@ void ExploreFlags::add_to(CLI::App& command) {
   shard
       .add(command, "--shard",
            "i/N: only the i-th of N parts of the exploration; reeve merge joins them")
-      ->excludes(target.option)
-      ->capture_default_str();
-  command
-      .add_option("--top", top, "Number of best designs to list; the Pareto front is always kept")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
-      ->capture_default_str();
+      ->excludes(target.option);
+  add_with_default(command, "--top", top,
+                   "Number of best designs to list; the Pareto front is always kept")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}));
   command
       .add_option("--details", details,
                   "Best designs that the page draws in all grasps (default: up to 170 "
                   "schematics)")
       ->check(CLI::Range(std::size_t{0}, std::size_t{100000}));
-  command
-      .add_option("--out", out,
-                  "Folder for the page (index.html), the tables (CSV), summary.json and "
-                  "figures/")
-      ->capture_default_str();
+  add_with_default(command, "--out", out,
+                   "Folder for the page (index.html), the tables (CSV), summary.json and "
+                   "figures/");
   model.add_with_friction_to(command);
   tables.add_to(command, "the list of the best");
   format.add_to(command, with_tables({"json"}));

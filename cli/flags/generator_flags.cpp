@@ -12,15 +12,12 @@
 namespace reeve::cli {
 
 void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
-  command.add_option("--fingers", fingers, "Number of fingers")
-      ->check(CLI::Range(1, max_fingers))
-      ->capture_default_str();
-  parts_ = command
-               .add_option("--parts", parts,
-                           "Set of parts; all: full, --anchored and --blocks 1; field: all with "
-                           "more blocks")
-               ->check(one_of({"paper", "full", "all", "field"}))
-               ->capture_default_str();
+  add_with_default(command, "--fingers", fingers, "Number of fingers")
+      ->check(CLI::Range(1, max_fingers));
+  parts_ = add_with_default(command, "--parts", parts,
+                            "Set of parts; all: full, --anchored and --blocks 1; field: all with "
+                            "more blocks")
+               ->check(one_of({"paper", "full", "all", "field"}));
   tips.add(command, "--tips", "Kinds of fingertips in place of the set's: tube,bearing");
   joins.add(command, "--joins", "Kinds of joins in place of the set's: T,B,P");
   ends.add(command, "--ends", "Kinds of ends in place of the set's: M,F");
@@ -44,19 +41,15 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
                    "Also tendons tied to the block that they pass, such as M-Y1+Y1k-1-Y1-2x");
   command.add_flag("--double-passes", switches.double_passes,
                    "Also tendons that pass their block twice, such as M-Y1+1x-Y1-2-Y1-3x");
-  command
-      .add_option("--motors", motors,
-                  "Number of motors, each of which pulls a tendon, such as 2 in M-1-M2")
-      ->check(CLI::Range(1, max_carriages))
-      ->capture_default_str();
+  add_with_default(command, "--motors", motors,
+                   "Number of motors, each of which pulls a tendon, such as 2 in M-1-M2")
+      ->check(CLI::Range(1, max_carriages));
   command.add_flag("--distinct-fingers", distinct,
                    "Tell fingers, and motors, apart: M-1-P-2-F and M-2-P-1-F are two routings");
   if (!with_tendons) return;
-  command
-      .add_option("--tendons", tendons,
-                  "Number of tendons; those that blocks join to a tree count as one")
-      ->check(one_of({"one", "any"}))
-      ->capture_default_str();
+  add_with_default(command, "--tendons", tendons,
+                   "Number of tendons; those that blocks join to a tree count as one")
+      ->check(one_of({"one", "any"}));
 }
 
 GeneratorOptions GeneratorFlags::read_parts() const {

@@ -29,32 +29,23 @@ GraspSet grasps_of(const std::string& text, const std::vector<Routing>& routings
 }
 
 void RankingFlags::add_to(CLI::App& command) {
-  grasps
-      .add(command, "--grasps",
-           "Grasps: single (none, and each finger held), all, paper, or a list such as "
-           "none:2/1/1,2:0.5")
-      ->capture_default_str();
-  objectives
-      .add(command, "--objectives",
-           "Objectives of the Pareto front, with commas; docs/model.md lists them")
-      ->capture_default_str();
-  score
-      .add(command, "--score",
-           "Order by a weighted mean of objectives, such as uniformity=2,jams=1; authors: the five "
-           "indicators")
-      ->default_str("authors");
+  grasps.add(command, "--grasps",
+             "Grasps: single (none, and each finger held), all, paper, or a list such as "
+             "none:2/1/1,2:0.5");
+  objectives.add(command, "--objectives",
+                 "Objectives of the Pareto front, with commas; docs/model.md lists them");
+  score.add(
+      command, "--score",
+      "Order by a weighted mean of objectives, such as uniformity=2,jams=1; authors: the five "
+      "indicators");
   CLI::Option* drawn =
       command.add_flag("--uncertainty", uncertainty,
                        "Draw the friction coefficients from their ranges; give objectives and "
                        "places as distributions");
-  command.add_option("--draws", draws, "Number of draws for --uncertainty")
+  add_with_default(command, "--draws", draws, "Number of draws for --uncertainty")
       ->needs(drawn)
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
-      ->capture_default_str();
-  command.add_option("--seed", seed, "Seed of the draws")
-      ->needs(drawn)
-      ->check(is_seed)
-      ->capture_default_str();
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}));
+  add_with_default(command, "--seed", seed, "Seed of the draws")->needs(drawn)->check(is_seed);
   add_threads(command, threads);
 }
 

@@ -24,13 +24,10 @@ bool counts_cost(const Score& score) {
 
 void TradeoffFlags::add_to(CLI::App& command) {
   by.add(command, "--tradeoff", "Best design for each number of these (cost if --cost is given)")
-      ->check(one_of(tradeoff_measures()))
-      ->capture_default_str();
-  command
-      .add_option("--within", within,
-                  "Name the design with fewest of --tradeoff that loses at most this in any "
-                  "ranked objective")
-      ->capture_default_str();
+      ->check(one_of(tradeoff_measures()));
+  add_with_default(command, "--within", within,
+                   "Name the design with fewest of --tradeoff that loses at most this in any "
+                   "ranked objective");
   prices.add_to(command, "makes cost an objective");
 }
 
