@@ -41,6 +41,14 @@ OptionText text_of(const CLI::Option& option) {
 
 }  // namespace
 
+void add_subcommands(CLI::App& program, int& exit_code) {
+  for (auto* add :
+       {add_explore, add_rank, add_show, add_catalogue, add_count, add_check, add_compare,
+        add_import, add_simulate, add_diagnose, add_size, add_merge, add_export}) {
+    add(program, exit_code);
+  }
+}
+
 std::vector<SubcommandText> subcommand_texts() {
   CLI::App program("", "reeve");
   int exit_code = done;
