@@ -8,7 +8,7 @@
 #include "pages/exploration/exploration_page.hpp"
 #include "pages/shell/result_files.hpp"
 #include "reports/exploration/design_list.hpp"
-#include "reports/exploration/exploration_id.hpp"
+#include "reports/exploration/explore_report.hpp"
 #include "reports/exploration/shard_file.hpp"
 #include "reports/exploration/sweep_report.hpp"
 #include "reports/exploration/tradeoff_report.hpp"

@@ -10,12 +10,13 @@
 #include <limits>
 #include <utility>
 
-#include "cli/choice.hpp"
 #include "core/canonical.hpp"
 #include "core/graph.hpp"
 #include "core/idle_values.hpp"
 #include "core/nearest_name.hpp"
 #include "core/notation.hpp"
+#include "core/text.hpp"
+#include "reports/document/document.hpp"
 #include "reports/output/files.hpp"
 
 namespace reeve::cli {
@@ -28,10 +29,7 @@ bool looks_like_a_name(const std::string& text) {
 }
 
 std::string names(const Catalogue& catalogue) {
-  std::string list;
-  for (const CatalogueEntry& entry : catalogue.entries) {
-    list += (list.empty() ? "" : ", ") + entry.name;
-  }
+  std::string list = joined(catalogue.entries, ", ", &CatalogueEntry::name);
   const std::vector<std::string> families = catalogue.families();
   if (families.empty()) return list;
   return fmt::format("{}, a mechanism of {}", list, fmt::join(families, ", "));
@@ -117,6 +115,26 @@ void GivenRoutings::add(const Routing& routing) {
   throw InputError(fmt::format("routing '{}' is given twice{}", word, as));
 }
 
+CLI::Validator one_of(std::vector<std::string> names) {
+  const std::string set = fmt::format("{{{}}}", fmt::join(names, ","));
+  return CLI::Validator(
+      [names = std::move(names), set](const std::string& text) {
+        if (std::ranges::find(names, text) != names.end()) return std::string();
+        return fmt::format("{} not in {}{}", text, set, did_you_mean(text, names));
+      },
+      set);
+}
+
+CLI::Validator number_from(double low, double high) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        const auto number = number_in(text);
+        if (number && *number >= low && *number <= high) return std::string();
+        return fmt::format("Value '{}': expected a number from {} to {}", text, low, high);
+      },
+      "");
+}
+
 std::string is_seed(const std::string& text) {
   if (text.find('-') != std::string::npos) {
     return "Value " + text + " is negative: expected a whole number from 0";
@@ -133,57 +151,38 @@ std::string names_a_file(const std::string& text) {
 }
 
 void add_threads(CLI::App& command, int& threads) {
-  command
-      .add_option("--threads", threads,
-                  "Number of threads; 0: all. The result does not depend on it")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+  add_with_default(command, "--threads", threads,
+                   "Number of threads; 0: all. The result does not depend on it")
+      ->check(CLI::Range(0, 1024));
 }
 
 CLI::Option* HardwareOption::add_to(CLI::App& command) {
-  option_ =
-      command.add_option("--hardware", file_,
-                         "TOML file of the parts, such as catalog/hardware/example.toml (default: "
-                         "the paper's)");
-  return option_;
+  return add(
+      command, "--hardware",
+      "TOML file of the parts, such as catalog/hardware/example.toml (default: the paper's)");
 }
 
 HardwareFile HardwareOption::read() const {
-  if (option_->count() == 0) return {};
-  if (file_.empty()) throw no_file("--hardware");
-  return read_hardware_file(file_);
+  if (!is_given()) return {};
+  if (text.empty()) throw no_file("--hardware");
+  return read_hardware_file(text);
 }
 
-std::string HardwareOption::name() const { return is_given() ? file_ : default_hardware_name; }
-
-void HardwareOption::list_in(std::vector<InputFile>& inputs) const {
-  if (is_given()) inputs.push_back({file_, "the hardware"});
-}
-
-CLI::Option* FamilyOption::add_to(CLI::App& command, const std::string& what) {
-  option_ = command.add_option("--family", family_, what);
-  return option_;
-}
+std::string HardwareOption::name() const { return is_given() ? text : default_hardware_name; }
 
 std::optional<std::string> FamilyOption::read(const Catalogue& catalogue) const {
   if (!is_given()) return std::nullopt;
   std::vector<std::string> families = catalogue.families();
   families.insert(families.begin(), paper_family);
-  if (std::ranges::find(families, family_) != families.end()) return family_;
+  if (std::ranges::find(families, text) != families.end()) return text;
   throw InputError({.what = "--family",
-                    .value = family_,
+                    .value = text,
                     .expected = fmt::format("one of {}{}", fmt::join(families, ", "),
-                                            did_you_mean(family_, families))});
-}
-
-void SvgOption::add_to(CLI::App& command, const std::string& what) {
-  option_ = command.add_option("--svg", file_, what);
+                                            did_you_mean(text, families))});
 }
 
 void require_svg(const std::string& file, const std::string& option) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = lower(std::filesystem::path(file).extension().string());
   const std::vector<std::string> others{".pdf", ".png", ".eps", ".ps", ".jpg", ".jpeg", ".tif"};
   if (std::ranges::find(others, ending) == others.end()) return;
   const std::string stem = std::filesystem::path(file).replace_extension(".svg").string();
@@ -196,65 +195,57 @@ void require_svg(const std::string& file, const std::string& option) {
 
 void SvgOption::require_apart_from(const std::vector<InputFile>& inputs) const {
   if (!is_given()) return;
-  require_svg(file_, "--svg");
-  require_not_an_input(file_, inputs, "--svg");
-}
-
-void SvgOption::list_in(std::vector<InputFile>& taken) const {
-  if (is_given()) taken.push_back(written_by("--svg", file_));
+  require_svg(text, "--svg");
+  require_not_an_input(text, inputs, "--svg");
 }
 
 void SvgOption::write(const std::string& content) const {
-  require_file_can_be_written(file_, "--svg");
-  for_option("--svg", [&] { write_file(file_, content); });
+  require_file_can_be_written(text, "--svg");
+  for_option("--svg", [&] { write_file(text, content); });
 }
 
 CLI::Option* OutOption::add_to(CLI::App& command, const std::string& files) {
-  option_ =
-      command.add_option("--out", folder_, "Folder for " + files + " (default: none written)");
-  return option_;
+  return add(command, "--out", "Folder for " + files + " (default: none written)");
 }
 
 void OutOption::require_apart_from(const std::vector<InputFile>& inputs) const {
-  if (is_given()) require_no_input_in(folder_, inputs);
+  if (is_given()) require_no_input_in(text, inputs);
 }
 
 std::filesystem::path OutOption::prepare() const {
-  prepare_directory(folder_, "--out");
-  require_file_can_be_written(std::filesystem::path(folder_) / "index.html", "--out");
-  return folder_;
+  prepare_directory(text, "--out");
+  require_file_can_be_written(std::filesystem::path(text) / "index.html", "--out");
+  return text;
 }
 
 void ModelOption::add_to(CLI::App& command) {
   CLI::Option* hardware = hardware_.add_to(command);
-  option_ = command
-                .add_option("--model", file_,
-                            "TOML file with hardware and effects beyond the friction model; see "
-                            "catalog/model/example.toml")
-                ->excludes(hardware);
+  model_
+      .add(command, "--model",
+           "TOML file with hardware and effects beyond the friction model; see "
+           "catalog/model/example.toml")
+      ->excludes(hardware);
 }
 
 void ModelOption::add_with_friction_to(CLI::App& command) {
   add_to(command);
   friction_.add_to(command);
-  friction_.exclude(*option_);
+  friction_.exclude(*model_.option);
 }
 
 ModelFile ModelOption::read(const Catalogue& catalogue) const {
-  if (option_->count() > 0) {
-    if (file_.empty()) throw no_file("--model");
-    return read_model_file(file_, catalogue);
+  if (model_.is_given()) {
+    if (model_.text.empty()) throw no_file("--model");
+    return read_model_file(model_.text, catalogue);
   }
   HardwareFile file = hardware_.read();
   friction_.apply(file.hardware);
   return {{file.hardware}, file.uncertainty, file.vary};
 }
 
-std::string ModelOption::name() const { return option_->count() > 0 ? file_ : hardware_.name(); }
-
 void ModelOption::list_in(std::vector<InputFile>& inputs) const {
-  hardware_.list_in(inputs);
-  if (option_->count() > 0) inputs.push_back({file_, "the model"});
+  hardware_.list_in(inputs, "the hardware");
+  model_.list_in(inputs, "the model");
 }
 
 void require_hardware_to_fit(const Hardware& hardware, const std::vector<Routing>& routings) {
@@ -316,9 +307,7 @@ void require_values_to_act(const Hardware& hardware, const std::vector<Routing>&
 }
 
 void FormatOption::add_to(CLI::App& command, const std::vector<std::string>& formats) {
-  command.add_option("--format", format, "How to print the result")
-      ->check(one_of(formats))
-      ->capture_default_str();
+  add_with_default(command, "--format", format, "How to print the result")->check(one_of(formats));
 }
 
 std::vector<Constraint> read_constraints(const std::vector<std::string>& texts) {

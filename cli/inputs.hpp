@@ -59,6 +59,19 @@ auto for_name(const std::string& start, Read read) {
   }
 }
 
+// Adds an option whose value at first is its default.
+template <typename Value>
+CLI::Option* add_with_default(CLI::App& command, const std::string& name, Value& value,
+                              const std::string& help) {
+  return command.add_option(name, value, help)->capture_default_str();
+}
+
+// Like CLI::IsMember, and suggests the name that a mistyped one most likely means.
+CLI::Validator one_of(std::vector<std::string> names);
+
+// CLI11's own ranges of numbers let NaN pass, and hexadecimal digits.
+CLI::Validator number_from(double low, double high);
+
 // A check of CLI11's for seeds: its conversion would take -1 and what is too large for the greatest
 // number.
 std::string is_seed(const std::string& text);
@@ -71,28 +84,16 @@ void add_threads(CLI::App& command, int& threads);
 
 inline constexpr const char* default_hardware_name = "the paper's, by default";
 
-struct HardwareOption {
+struct HardwareOption : TextOption {
   CLI::Option* add_to(CLI::App& command);
-  bool is_given() const { return option_->count() > 0; }
   HardwareFile read() const;  // the paper's hardware if no file is given
   std::string name() const;   // name of its source
-  void list_in(std::vector<InputFile>& inputs) const;
-
- private:
-  std::string file_;
-  CLI::Option* option_ = nullptr;
 };
 
 // Option for a family of the catalogue.
-struct FamilyOption {
-  CLI::Option* add_to(CLI::App& command, const std::string& what);
-  bool is_given() const { return option_->count() > 0; }
+struct FamilyOption : TextOption {
   // Nothing if none is given. Throws InputError on one that there is not.
   std::optional<std::string> read(const Catalogue& catalogue) const;
-
- private:
-  std::string family_;
-  CLI::Option* option_ = nullptr;
 };
 
 // Drawings are SVG, whatever the file is called: a name that ends in .pdf or .png is refused.
@@ -100,31 +101,19 @@ struct FamilyOption {
 void require_svg(const std::string& file, const std::string& option);
 
 // A drawing besides the result on stdout.
-struct SvgOption {
-  void add_to(CLI::App& command, const std::string& what);
-  bool is_given() const { return option_->count() > 0; }
+struct SvgOption : TextOption {
   // Throws InputError.
   void require_apart_from(const std::vector<InputFile>& inputs) const;
-  void list_in(std::vector<InputFile>& taken) const;
   void write(const std::string& content) const;
-
- private:
-  std::string file_;
-  CLI::Option* option_ = nullptr;
 };
 
 // A folder for a page and what lies beside it.
-struct OutOption {
+struct OutOption : TextOption {
   CLI::Option* add_to(CLI::App& command, const std::string& files);
-  bool is_given() const { return option_->count() > 0; }
   // None of the files that come into the folder, or go, may be an input. Throws InputError.
   void require_apart_from(const std::vector<InputFile>& inputs) const;
   // Made if it is not there. Throws InputError.
   std::filesystem::path prepare() const;
-
- private:
-  std::string folder_;
-  CLI::Option* option_ = nullptr;
 };
 
 // --hardware or --model; the paper's hardware and no effect if neither is given.
@@ -132,18 +121,16 @@ struct ModelOption {
   void add_to(CLI::App& command);
   // Adds the same options and those of a quick question.
   void add_with_friction_to(CLI::App& command);
-  bool is_given() const { return option_->count() > 0 || hardware_.is_given(); }
+  bool is_given() const { return model_.is_given() || hardware_.is_given(); }
   const FrictionFlags& friction() const { return friction_; }
   // Effects on routings may name those of the catalogue.
   ModelFile read(const Catalogue& catalogue) const;
-  std::string name() const;  // name of its source
   void list_in(std::vector<InputFile>& inputs) const;
 
  private:
   HardwareOption hardware_;
   FrictionFlags friction_;
-  std::string file_;
-  CLI::Option* option_ = nullptr;
+  TextOption model_;
 };
 
 // A spool that the hardware names must be in one of the routings, a tendon in each. Throws

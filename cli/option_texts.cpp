@@ -2,11 +2,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include <sstream>
 #include <utility>
 
 #include "cli/api.hpp"
 #include "cli/commands/commands.hpp"
+#include "core/text.hpp"
 
 namespace reeve::cli {
 namespace {
@@ -24,10 +24,7 @@ std::vector<std::string> choices_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::size_t open = type.find('{');
   if (open == std::string::npos || !type.ends_with('}')) return {};
-  std::vector<std::string> choices;
-  std::istringstream items(type.substr(open + 1, type.size() - open - 2));
-  for (std::string item; std::getline(items, item, ',');) choices.push_back(item);
-  return choices;
+  return comma_separated(type.substr(open + 1, type.size() - open - 2));
 }
 
 OptionText text_of(const CLI::Option& option) {
@@ -43,6 +40,14 @@ OptionText text_of(const CLI::Option& option) {
 }
 
 }  // namespace
+
+void add_subcommands(CLI::App& program, int& exit_code) {
+  for (auto* add :
+       {add_explore, add_rank, add_show, add_catalogue, add_count, add_check, add_compare,
+        add_import, add_simulate, add_diagnose, add_size, add_merge, add_export}) {
+    add(program, exit_code);
+  }
+}
 
 std::vector<SubcommandText> subcommand_texts() {
   CLI::App program("", "reeve");

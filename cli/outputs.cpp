@@ -57,8 +57,11 @@ bool are_the_same(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
-InputFile written_by(const std::string& option, const fs::path& file) {
-  return {file, "the file of " + option};
+void TextOption::claim(const std::string& name, std::vector<InputFile>& taken) const {
+  if (!is_given()) return;
+  require_file_can_be_written(text, name);
+  require_not_an_input(text, taken, name);
+  list_in(taken, "the file of " + name);
 }
 
 void require_not_an_input(const fs::path& file, const std::vector<InputFile>& inputs,

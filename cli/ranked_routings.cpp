@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include "cli/inputs.hpp"
@@ -83,9 +82,7 @@ std::vector<FrictionCase> read_friction_cases(const std::string& text, const Mod
   return for_option(fmt::format("--distribution-mu '{}'", text), [&] {
     std::vector<FrictionCase> cases;
     std::set<std::pair<FrictionKind, double>> seen;
-    std::istringstream items(text + ",");
-    items.exceptions(std::ios::badbit);  // no memory is no end of the text
-    for (std::string item; std::getline(items, item, ',');) {
+    for (const std::string& item : comma_separated(text)) {
       cases.push_back(read_case(item, model));
       const FrictionCase& last = cases.back();
       const double mu =

@@ -9,7 +9,7 @@
 #include "drawing/chart/chart.hpp"
 #include "pages/routing_parts.hpp"
 #include "pages/tension_charts.hpp"
-#include "reports/document/text_table.hpp"
+#include "reports/document/document.hpp"
 
 namespace reeve::pages {
 namespace {

@@ -9,7 +9,7 @@
 #include "pages/ranking_parts.hpp"
 #include "reports/assumed_words.hpp"
 #include "reports/data_text.hpp"
-#include "reports/document/text_table.hpp"
+#include "reports/document/document.hpp"
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/design_list.hpp"

@@ -11,7 +11,7 @@
 #include "pages/ranking_parts.hpp"
 #include "pages/routing_parts.hpp"
 #include "pages/tension_charts.hpp"
-#include "reports/document/text_table.hpp"
+#include "reports/document/document.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/shown_value.hpp"
 

@@ -11,7 +11,7 @@
 #include "pages/shell/template.hpp"
 #include "pages/tension_charts.hpp"
 #include "reports/assumed_words.hpp"
-#include "reports/document/text_table.hpp"
+#include "reports/document/document.hpp"
 #include "reports/hand_report.hpp"
 #include "reports/jam_words.hpp"
 

@@ -9,11 +9,8 @@
 namespace reeve::reports {
 
 std::string sizes_text(const ListedMechanism& mechanism) {
-  std::string text;
-  for (const Routing& size : mechanism.sizes) {
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", finger_count(size));
-  }
-  return text;
+  return joined(mechanism.sizes, ", ",
+                [](const Routing& size) { return std::to_string(finger_count(size)); });
 }
 
 Document catalogue_sheet(const std::vector<ListedMechanism>& list) {

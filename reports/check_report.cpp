@@ -67,18 +67,9 @@ Section misprints(const CheckReport& report) {
 }
 
 Tint tint(CheckStatus status) {
-  switch (status) {
-    case CheckStatus::agrees:
-    case CheckStatus::used:
-      return Tint::none;
-    case CheckStatus::explained:
-    case CheckStatus::refuted:
-    case CheckStatus::open:
-      return Tint::notable;
-    case CheckStatus::differs:
-      return Tint::bad;
-  }
-  return Tint::none;
+  if (status == CheckStatus::differs) return Tint::bad;
+  const bool is_fine = status == CheckStatus::agrees || status == CheckStatus::used;
+  return is_fine ? Tint::none : Tint::notable;
 }
 
 std::string counts_text(const CheckReport& report, const std::string& family) {

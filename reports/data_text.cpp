@@ -11,12 +11,9 @@ namespace {
 std::string lines_text(const std::vector<std::size_t>& lines) {
   constexpr std::size_t most = 8;
   if (lines.empty()) return "";
-  std::string text = lines.size() == 1 ? " (line " : " (lines ";
-  for (std::size_t i = 0; i < lines.size() && i < most; ++i) {
-    text += (i == 0 ? "" : ", ") + std::to_string(lines[i]);
-  }
-  if (lines.size() > most) text += fmt::format(" and {} more", lines.size() - most);
-  return text + ")";
+  std::vector<std::string> numbers;
+  for (const std::size_t line : lines) numbers.push_back(std::to_string(line));
+  return fmt::format(" (line{} {})", lines.size() == 1 ? "" : "s", enumerated(numbers, ", ", most));
 }
 
 }  // namespace

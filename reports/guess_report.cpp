@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -16,15 +17,9 @@ namespace {
 constexpr std::size_t shown_samples = 5;
 
 const char* kind_name(GuessKind kind) {
-  switch (kind) {
-    case GuessKind::known:
-      return "known";
-    case GuessKind::guessed:
-      return "guessed";
-    case GuessKind::unknown:
-      return "unknown";
-  }
-  return "";
+  // In the order of GuessKind.
+  constexpr std::array names{"known", "guessed", "unknown"};
+  return names.at(static_cast<std::size_t>(kind));
 }
 
 const char* separator_name(char separator) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "reports/data_text.hpp"
 #include "reports/output/json.hpp"
@@ -11,15 +12,9 @@ namespace reeve::reports {
 namespace {
 
 const char* motion_name(MotionSource motion) {
-  switch (motion) {
-    case MotionSource::position:
-      return "position";
-    case MotionSource::speed:
-      return "speed";
-    case MotionSource::none:
-      return "none";
-  }
-  return "";
+  // In the order of MotionSource.
+  constexpr std::array names{"position", "speed", "none"};
+  return names.at(static_cast<std::size_t>(motion));
 }
 
 // Without the time between recordings.
@@ -156,33 +151,20 @@ std::string import_json(const ImportReport& report) {
 }
 
 const char* sample_use_words(SampleUse use) {
-  switch (use) {
-    case SampleUse::taken:
-      return "taken into readings";
-    case SampleUse::standstill:
-      return "the carriage stands";
-    case SampleUse::speed_varies:
-      return "the speed is not even";
-    case SampleUse::load_varies:
-      return "the tensions are not steady";
-    case SampleUse::settling:
-      return "not all contacts slide yet";
-    case SampleUse::not_following:
-      return "a tension does not follow the load";
-    case SampleUse::slack:
-      return "no tension";
-    case SampleUse::no_direction:
-      return "pull or release unknown";
-    case SampleUse::incomplete:
-      return "a value is missing";
-    case SampleUse::copy:
-      return "copy of the sample before";
-    case SampleUse::spike:
-      return "far from all neighbours";
-    case SampleUse::too_few:
-      return "too few samples";
-  }
-  return "";
+  // In the order of SampleUse.
+  constexpr std::array names{"taken into readings",
+                             "the carriage stands",
+                             "the speed is not even",
+                             "the tensions are not steady",
+                             "not all contacts slide yet",
+                             "a tension does not follow the load",
+                             "no tension",
+                             "pull or release unknown",
+                             "a value is missing",
+                             "copy of the sample before",
+                             "far from all neighbours",
+                             "too few samples"};
+  return names.at(static_cast<std::size_t>(use));
 }
 
 std::string tension_words(const LoggedSignal& tension) {

@@ -36,12 +36,9 @@ const char* assumption(const TendonParts& tendons) {
 
 // "M", "M and M3"
 std::string motor_names(const std::vector<int>& carriages) {
-  std::string text;
-  for (std::size_t i = 0; i < carriages.size(); ++i) {
-    text += i == 0 ? "" : i + 1 == carriages.size() ? " and " : ", ";
-    text += motor_name(carriages[i]);
-  }
-  return text;
+  std::vector<std::string> names;
+  for (const int carriage : carriages) names.push_back(motor_name(carriage));
+  return enumerated(names);
 }
 
 std::string stall_words(const std::vector<int>& carriages) {
@@ -91,15 +88,6 @@ std::string independence_words(const MotorGroups& groups) {
       all.size() == groups.count ? motor_names(all)
                                  : fmt::format("{} groups of motors", groups.count),
       to_text(stalled(*first, static_cast<int>(all.size()))));
-}
-
-std::string listed_ranks(const std::vector<std::size_t>& ranks) {
-  std::string text = "Ranks ";
-  for (std::size_t i = 0; i < ranks.size(); ++i) {
-    text += i == 0 ? "" : i + 1 == ranks.size() ? " and " : ", ";
-    text += std::to_string(ranks[i]);
-  }
-  return text;
 }
 
 }  // namespace
@@ -159,12 +147,8 @@ std::string jam_mark(const Network& network, const TensionState& state) {
 }
 
 std::string jams_field(const std::vector<Grasp>& smallest) {
-  std::string field;
-  for (const Grasp& grasp : smallest) {
-    field += fmt::format("{}{}", field.empty() ? "" : " ",
-                         grasp == Grasp{} ? "none" : held_field(grasp));
-  }
-  return field;
+  return joined(smallest, " ",
+                [](const Grasp& grasp) { return grasp == Grasp{} ? "none" : held_field(grasp); });
 }
 
 Json grasps_json(const std::vector<Grasp>& grasps) {
@@ -195,18 +179,18 @@ std::string shared_carriage_text(const Network& network, const TendonParts& tend
 
 std::vector<DocumentLine> shared_carriage_lines(const std::vector<ListedDesign>& shown,
                                                 const TendonParts& tendons) {
-  std::vector<std::size_t> ranks;
+  std::vector<std::string> ranks;
   bool several_motors = false;
   for (const ListedDesign& design : shown) {
     const Network network = expand(parse_routing(design.ranked.design.word));
     if (tree_count(network) < 2) continue;
-    ranks.push_back(design.ranked.rank);
+    ranks.push_back(std::to_string(design.ranked.rank));
     several_motors |= carriage_count(network) > 1;
   }
   if (ranks.empty()) return {};
   const std::string whose = ranks.size() == 1 ? fmt::format("Rank {} has", ranks.front())
                             : ranks.size() == shown.size() ? "All of these have"
-                                                           : listed_ranks(ranks) + " have";
+                                                           : "Ranks " + enumerated(ranks) + " have";
   return {
       {fmt::format("{} several tendons on {}: their shares of its pull {}", whose,
                    several_motors ? "one carriage, or on carriages that travel as the grasps say"

@@ -68,12 +68,12 @@ std::string effect_text(const Effect& effect, const Hardware& hardware) {
 }
 
 std::string list(const Model& model, bool in_designs) {
-  std::string text;
+  std::vector<std::string> texts;
   for (const Effect& effect : model.effects) {
     if (belongs_to_designs(effect) != in_designs) continue;
-    text += (text.empty() ? "" : ", ") + effect_text(effect, model.hardware);
+    texts.push_back(effect_text(effect, model.hardware));
   }
-  return text;
+  return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 std::string absent_finger_note(const std::string& what, int finger) {
@@ -163,13 +163,12 @@ Json model_json(const Model& model, std::uint64_t unconverged) {
 std::vector<DocumentLine> model_lines(const Model& model, std::uint64_t unconverged) {
   if (model.effects.empty()) return {};
   const std::string effects = list(model, true);
-  std::string text = "Model with " + (effects.empty() ? "no effect on designs" : effects) + ", at";
-  const char* comma = "";
-  for (const Condition& condition : conditions_of(model)) {
-    text += fmt::format("{} {} {:.6g}", comma, condition.name, condition.value);
-    comma = ",";
-  }
-  std::vector<DocumentLine> lines{{text}};
+  const std::string text =
+      "Model with " + (effects.empty() ? "no effect on designs" : effects) + ", at ";
+  const auto of_one = [](const Condition& condition) {
+    return fmt::format("{} {:.6g}", condition.name, condition.value);
+  };
+  std::vector<DocumentLine> lines{{text + joined(conditions_of(model), ", ", of_one)}};
   append(lines, note_lines(outside_notes(model)));
   const std::string left_out = list(model, false);
   if (!left_out.empty()) {

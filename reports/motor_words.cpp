@@ -7,7 +7,6 @@
 
 #include "core/motor_sides.hpp"
 #include "core/text.hpp"
-#include "reports/document/text_table.hpp"
 
 namespace reeve::reports {
 namespace {

@@ -1,5 +1,6 @@
 #include "reports/rank_report.hpp"
 
+#include <array>
 #include <utility>
 
 #include "core/text.hpp"
@@ -22,15 +23,9 @@ namespace reeve::reports {
 namespace {
 
 const char* word(FrictionKind kind) {
-  switch (kind) {
-    case FrictionKind::coefficient:
-      return "coefficient";
-    case FrictionKind::model:
-      return "model";
-    case FrictionKind::diagnosed:
-      return "diagnosed";
-  }
-  return "";
+  // In the order of FrictionKind.
+  constexpr std::array names{"coefficient", "model", "diagnosed"};
+  return names.at(static_cast<std::size_t>(kind));
 }
 
 Json strand_json(const StrandShare& strand) {

@@ -8,6 +8,7 @@
 #include "core/text.hpp"
 #include "drawing/schematic/schematic_svg.hpp"
 #include "reports/assumed_words.hpp"
+#include "reports/data_text.hpp"
 #include "reports/hand_report.hpp"
 #include "reports/jam_words.hpp"
 #include "reports/model_text.hpp"
@@ -70,10 +71,6 @@ Json grasp_json(const Network& network, const ShownGrasp& shown) {
   json["efficiency"] = number(shown.performance.efficiency);
   json["force_transmission"] = number(shown.performance.force_transmission);
   return json;
-}
-
-const char* direction_name(Direction direction) {
-  return direction == Direction::pull ? "pull" : "release";
 }
 
 std::string heading(const SolvedRouting& report) {
@@ -277,7 +274,7 @@ Json to_json(const ShownRouting& report) {
   Json json{{"routing", report.word},
             {"name", text_or_null(report.name)},
             {"canonical", report.canonical},
-            {"direction", direction_name(report.direction)},
+            {"direction", direction_field(report.direction)},
             {"motor_sides", letter_key_json(report.network, report.model.hardware)},
             {"trees", tree_count(report.network)}};
   if (report.own_hardware) json["own_hardware"] = to_json(report.model.hardware);

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <iterator>
 
 #include "causes/named_effect.hpp"
 #include "readings/csv.hpp"
+#include "reports/data_text.hpp"
 #include "reports/output/csv_field.hpp"
 #include "reports/output/json.hpp"
 
@@ -67,8 +69,7 @@ void put_row(Buffer& out, const ExperimentPlan& plan, const PlannedReading& read
              const std::vector<std::optional<double>>& tensions) {
   const Conditions& conditions = reading.conditions;
   put(out, "{},{},{},{},{}", reading.run + 1, csv_field(plan.routings[reading.routing].label),
-      fmt::join(held_fingers(reading.grasp), ";"),
-      reading.direction == Direction::pull ? "pull" : "release", conditions.motor_tension_N);
+      held_field(reading.grasp), direction_field(reading.direction), conditions.motor_tension_N);
   if (plan.speed_mm_s) put(out, ",{}", conditions.speed_mm_s);
   if (plan.cycle) put(out, ",{}", conditions.cycle);
   if (plan.temperature_C) put(out, ",{}", conditions.temperature_C);
@@ -83,19 +84,13 @@ void put_row(Buffer& out, const ExperimentPlan& plan, const PlannedReading& read
 }
 
 const char* meaning(Finding finding, bool hides_nothing) {
-  switch (finding) {
-    case Finding::found:
-      return hides_nothing ? "rightly, no cause is named" : "all that is hidden is named, no more";
-    case Finding::wrong:
-      return hides_nothing ? "a cause is named" : "others are named, or not all";
-    case Finding::none:
-      return "no cause is named";
-    case Finding::unexplained:
-      return "structure is left that no cause explains";
-    case Finding::indistinguishable:
-      return "causes explain the data alike";
-  }
-  return "";
+  if (hides_nothing && finding == Finding::found) return "rightly, no cause is named";
+  if (hides_nothing && finding == Finding::wrong) return "a cause is named";
+  // In the order of Finding.
+  constexpr std::array meanings{
+      "all that is hidden is named, no more", "others are named, or not all", "no cause is named",
+      "structure is left that no cause explains", "causes explain the data alike"};
+  return meanings.at(static_cast<std::size_t>(finding));
 }
 
 // Returns the named causes, and the groups that cannot be told apart.
@@ -126,11 +121,9 @@ Section others_section(const PowerReport& report) {
 }  // namespace
 
 std::string hidden_text(const Model& model) {
-  std::string text;
-  for (const Effect& effect : model.effects) {
-    text += (text.empty() ? "" : ", ") + hidden_effect_text(effect, model.hardware);
-  }
-  return text.empty() ? "no cause" : text;
+  if (model.effects.empty()) return "no cause";
+  return joined(model.effects, ", ",
+                [&](const Effect& effect) { return hidden_effect_text(effect, model.hardware); });
 }
 
 std::string simulation_csv(const SimulationReport& report) {

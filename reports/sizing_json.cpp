@@ -10,15 +10,8 @@ namespace reeve::reports {
 namespace {
 
 Json bound_json(AtBound at) {
-  switch (at) {
-    case AtBound::low:
-      return "low";
-    case AtBound::high:
-      return "high";
-    case AtBound::no:
-      break;
-  }
-  return nullptr;
+  if (at == AtBound::no) return nullptr;
+  return at == AtBound::low ? "low" : "high";
 }
 
 Json variable_json(const SizedDesign& design, std::size_t i) {

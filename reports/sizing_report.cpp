@@ -19,7 +19,7 @@
 #include "reports/model_text.hpp"
 #include "reports/motor_words.hpp"
 #include "reports/output/json.hpp"
-#include "reports/output/telling_digits.hpp"
+#include "reports/shown_value.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 
 namespace reeve::reports {
@@ -129,15 +129,8 @@ bool is_free(const SizedDesign& design, const Sensitivity& of) {
 
 std::string stands(const SizedDesign& design, const SizedVariable& variable) {
   if (is_free(design, variable.sensitivity)) return "free";
-  switch (variable.at) {
-    case AtBound::low:
-      return "at its lower bound";
-    case AtBound::high:
-      return "at its upper bound";
-    case AtBound::no:
-      break;
-  }
-  return "between";
+  if (variable.at == AtBound::no) return "between";
+  return variable.at == AtBound::low ? "at its lower bound" : "at its upper bound";
 }
 
 struct VariableColumn {

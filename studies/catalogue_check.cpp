@@ -16,7 +16,6 @@
 #include "diagnosis/verdict/share_error.hpp"
 #include "search/enumerate/counting.hpp"
 #include "studies/indicator_check.hpp"
-#include "studies/strand_readings.hpp"
 
 namespace reeve::studies {
 namespace {

@@ -56,11 +56,7 @@ UncertaintyOptions uncertainty_of(const RankRequest& request) {
 std::optional<RankReport> ranking_study(const RankRequest& request, const Catalogue& catalogue,
                                         const StudySupervision& supervision) {
   RankReport report;
-  report.order = request.order;
-  report.score = request.score;
-  report.grasps = request.grasps;
-  report.model = request.model;
-  report.ranges = request.ranges;
+  static_cast<RankSettings&>(report) = static_cast<const RankSettings&>(request);
   const std::vector<RankedDesign> designs = ranked(request, report.unconverged);
   const std::vector<Routing> routings = in_order(request.routings, designs);
   DrawnDesigns drawn;
@@ -86,7 +82,6 @@ std::optional<RankReport> ranking_study(const RankRequest& request, const Catalo
   report.tradeoff = list_tradeoff(tradeoff_of(request, designs), report.designs, request.order,
                                   request.model, request.prices, catalogue);
   report.motor = motor_force(routings.front(), uncertainty_of(request));
-  report.prices = request.prices;
   if (request.sweep) {
     const SweepOptions options{uncertainty_of(request), request.draws.has_value(), *request.sweep};
     report.sweep = swept_designs(report.designs, options, supervision);

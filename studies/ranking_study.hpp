@@ -30,18 +30,22 @@ struct Draws {
   std::uint64_t seed = 1;
 };
 
-struct RankRequest {
-  std::vector<Routing> routings;  // as many fingers each
+// The settings by which routings are ranked.
+struct RankSettings {
   Model model;
   UncertaintyRanges ranges;
   GraspSet grasps;
   Order order;
   Score score = authors_score();
+  std::optional<PartPrices> prices;
+};
+
+struct RankRequest : RankSettings {
+  std::vector<Routing> routings;  // as many fingers each
   std::optional<Draws> draws;
   bool margins = false;  // needs the order of mean uniformity and mean efficiency
   bool details = false;
   int threads = 0;
-  std::optional<PartPrices> prices;
   TradeoffOptions tradeoff;
   std::optional<CoefficientRange> sweep = std::nullopt;
 };
@@ -53,22 +57,16 @@ struct RankDetails {
   TensionDistributions distributions;
 };
 
-struct RankReport {
+struct RankReport : RankSettings {
   std::vector<ListedDesign> designs;
-  Order order;
-  Score score = authors_score();
-  GraspSet grasps;
-  Model model;
   std::uint64_t unconverged = 0;  // tension solves
   // Only where they were asked for.
   std::optional<UncertaintyOptions> uncertainty;
   std::optional<std::vector<Margin>> margins;
-  UncertaintyRanges ranges;  // ranges of either
   std::optional<RankDetails> details;
   ListedTradeoff tradeoff;
   std::optional<RobustFirst> robust_first;
-  std::optional<MotorForce> motor{};  // motor force of the first design, with a hand
-  std::optional<PartPrices> prices;
+  std::optional<MotorForce> motor{};                 // motor force of the first design, with a hand
   std::optional<SweptDesigns> sweep = std::nullopt;  // only if it was asked for
 };
 

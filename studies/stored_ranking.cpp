@@ -144,8 +144,7 @@ StoredRanking stored_ranking(const StoreReader& store, const ExploreOptions& sto
   asked.references.clear();
   asked.sample = 0;
   StoredRanking ranking;
-  ranking.keeps_all = store.keep() == Keep::all;
-  if (!ranking.keeps_all) ranking.gaps = gaps(stored, asked);
+  if (store.keep() != Keep::all) ranking.gaps = gaps(stored, asked);
   Ranker ranker(asked);
   const std::vector<StoredShard> shards = store.shards();
   add_kept(store, is_same_order(stored, asked), ranking.gaps.empty(), ranker);

@@ -35,7 +35,6 @@ std::vector<Gap> gaps(const ExploreOptions& stored, const ExploreOptions& asked)
 struct StoredRanking {
   ExploreReport report;  // report of the kept designs; without known routings and sample
   std::vector<Gap> gaps;
-  bool keeps_all = false;
   std::uint64_t kept = 0;    // designs that were ranked or failed a constraint
   std::uint64_t failed = 0;  // kept designs that failed a constraint
   // Not every shard was explored to its end.

@@ -72,129 +72,6 @@ std::vector<double> model_shares(const SolvedRouting& report) {
   return shares;
 }
 
-class Distributions {
- public:
-  Distributions(const DistributionRequest& request, const Catalogue& catalogue)
-      : request_(request), catalogue_(catalogue), checked_(check(catalogue)) {
-    for (const Routing& routing : request.routings) words_.push_back(to_word(routing));
-    if (request.data) read_data();
-  }
-
-  TensionDistributions run(const std::vector<Grasp>& grasps);
-
-  std::vector<Grasp> with_measured_ones(std::vector<Grasp> grasps) const;
-
- private:
-  void read_data();
-  TensionDistribution at(const FrictionCase& which, Grasp grasp);
-  void add_published(TensionDistribution& distribution) const;
-  void add_measured(RoutingShares& shares, Grasp grasp) const;
-  std::string fault(const CatalogueEntry& entry, const std::string& source,
-                    std::size_t strand) const;
-  std::string word_of(const MeasuredShares& group) const {
-    return request_.data->routings[group.routing].word;
-  }
-  bool is_asked_for(const std::string& word) const {
-    return std::ranges::find(words_, word) != words_.end();
-  }
-
-  const DistributionRequest& request_;
-  const Catalogue& catalogue_;
-  CheckReport checked_;
-  std::vector<std::string> words_;
-  std::vector<MeasuredShares> measured_;  // shares of the requested routings
-  std::optional<SharedData> data_;
-  std::uint64_t unconverged_ = 0;
-};
-
-void Distributions::read_data() {
-  const MeasuredData& data = *request_.data;
-  data_ = SharedData{data.file, data.simulated, data.notes};
-  SharesOfData shares = measured_shares(data);
-  std::set<std::string> others;
-  for (MeasuredShares& group : shares.groups) {
-    if (is_asked_for(word_of(group))) {
-      measured_.push_back(std::move(group));
-    } else {
-      others.insert(word_of(group));
-    }
-  }
-  data_->notes.insert(data_->notes.end(), shares.notes.begin(), shares.notes.end());
-  for (const std::string& word : others) {
-    data_->notes.push_back({NoteKind::not_compared,
-                            "the readings of " + word +
-                                " are left out: it is not among the routings, written like this",
-                            {}});
-  }
-  const bool with_sheath_angle = std::ranges::any_of(
-      data.readings, [](const Reading& reading) { return reading.sheath_angle_rad.has_value(); });
-  if (with_sheath_angle) {
-    data_->notes.push_back(
-        {NoteKind::not_compared,
-         "the model's shares are those at the hardware's sheath angles, whatever "
-         "sheath_angle_rad says of a reading",
-         {}});
-  }
-  if (measured_.empty()) {
-    throw InputError({.where = data.file,
-                      .what = "there is nothing to draw",
-                      .expected = "readings, pulling, of all strands of one of the routings that "
-                                  "are ranked"});
-  }
-}
-
-std::vector<Grasp> Distributions::with_measured_ones(std::vector<Grasp> grasps) const {
-  for (const MeasuredShares& group : measured_) {
-    if (std::ranges::find(grasps, group.grasp) == grasps.end()) {
-      grasps.push_back(group.grasp);
-    }
-  }
-  return grasps;
-}
-
-std::string Distributions::fault(const CatalogueEntry& entry, const std::string& source,
-                                 std::size_t strand) const {
-  const CheckedQuantity quantity{CheckedKind::strand_share, static_cast<int>(strand + 1)};
-  for (const CheckItem& item : checked_.items) {
-    if (item.routing == entry.name && item.source == source && item.quantity == quantity &&
-        item.status != CheckStatus::agrees) {
-      return item.reason;
-    }
-  }
-  return "";
-}
-
-// Adds the printed shares for these coefficients; a table has precedence over a figure.
-void Distributions::add_published(TensionDistribution& distribution) const {
-  for (RoutingShares& shares : distribution.routings) {
-    for (const CatalogueEntry& entry : catalogue_.entries) {
-      if (entry.word != shares.word || !(entry.grasp == distribution.grasp)) continue;
-      for (const PrintedList& list : printed_lists(entry)) {
-        if (list.kind != PrintedKind::share || list.hardware.tube.mu != distribution.tube_mu ||
-            list.hardware.sheath.mu != distribution.sheath_mu || !shares.published_source.empty()) {
-          continue;
-        }
-        shares.published_source = list.source;
-        for (std::size_t i = 0; i < shares.strands.size(); ++i) {
-          shares.strands[i].published =
-              PublishedShare{list.numbers[i].value / 100, fault(entry, list.source, i)};
-        }
-      }
-    }
-  }
-}
-
-void Distributions::add_measured(RoutingShares& shares, Grasp grasp) const {
-  for (const MeasuredShares& group : measured_) {
-    if (word_of(group) != shares.word || !(group.grasp == grasp)) continue;
-    shares.readings = group.readings;
-    for (std::size_t i = 0; i < shares.strands.size(); ++i) {
-      shares.strands[i].measured = MeasuredShare{group.mean[i], std::nullopt};
-      if (!group.deviation.empty()) shares.strands[i].measured->deviation = group.deviation[i];
-    }
-  }
-}
-
 std::optional<double> rms_measured(const std::vector<RoutingShares>& routings) {
   double squares = 0;
   std::size_t count = 0;
@@ -243,44 +120,158 @@ MeanShareErrors share_errors(const std::vector<RoutingShares>& routings) {
   return {of_model.value(), of_published.value()};
 }
 
-TensionDistribution Distributions::at(const FrictionCase& which, Grasp grasp) {
-  TensionDistribution result;
-  const Hardware hardware = effective_hardware(which.model);
-  result.kind = which.kind;
-  result.tube_mu = hardware.tube.mu;
-  result.sheath_mu = hardware.sheath.mu;
-  for (const Effect& effect : which.model.effects) {
-    if (!is_coefficient_of_tubes_or_sheaths(effect))
-      result.other_effects.push_back(effect_name(effect));
+class Distributions {
+ public:
+  Distributions(const DistributionRequest& request, const Catalogue& catalogue)
+      : request_(request), catalogue_(catalogue), checked_(check(catalogue)) {
+    for (const Routing& routing : request.routings) words_.push_back(to_word(routing));
+    if (request.data) read_data();
   }
-  result.sensors_differ = reaches(which.model, Reach::reading);
-  result.grasp = grasp;
-  for (const Routing& routing : request_.routings) {
-    const SolvedRouting shown =
-        solved_routing(routing, which.model, {{grasp, 1}}, Direction::pull, catalogue_);
-    unconverged_ += shown.unconverged;
-    RoutingShares& shares = result.routings.emplace_back();
-    shares.word = shown.word;
-    shares.name = shown.name;
-    for (const double share : model_shares(shown)) {
-      shares.strands.push_back({fmt::format("T{}", shares.strands.size() + 1), share, {}, {}});
-    }
-    add_measured(shares, grasp);
-  }
-  add_published(result);
-  result.rms_measured = rms_measured(result.routings);
-  result.share_errors = share_errors(result.routings);
-  return result;
-}
 
-TensionDistributions Distributions::run(const std::vector<Grasp>& grasps) {
-  TensionDistributions result{{}, data_, 0};
-  for (const Grasp& grasp : grasps) {
-    for (const FrictionCase& which : request_.cases) result.list.push_back(at(which, grasp));
+  TensionDistributions run(const std::vector<Grasp>& grasps) {
+    TensionDistributions result{{}, data_, 0};
+    for (const Grasp& grasp : grasps) {
+      for (const FrictionCase& which : request_.cases) result.list.push_back(at(which, grasp));
+    }
+    result.unconverged = unconverged_;
+    return result;
   }
-  result.unconverged = unconverged_;
-  return result;
-}
+
+  std::vector<Grasp> with_measured_ones(std::vector<Grasp> grasps) const {
+    for (const MeasuredShares& group : measured_) {
+      if (std::ranges::find(grasps, group.grasp) == grasps.end()) {
+        grasps.push_back(group.grasp);
+      }
+    }
+    return grasps;
+  }
+
+ private:
+  void read_data() {
+    const MeasuredData& data = *request_.data;
+    data_ = SharedData{data.file, data.simulated, data.notes};
+    SharesOfData shares = measured_shares(data);
+    std::set<std::string> others;
+    for (MeasuredShares& group : shares.groups) {
+      if (is_asked_for(word_of(group))) {
+        measured_.push_back(std::move(group));
+      } else {
+        others.insert(word_of(group));
+      }
+    }
+    data_->notes.insert(data_->notes.end(), shares.notes.begin(), shares.notes.end());
+    for (const std::string& word : others) {
+      data_->notes.push_back({NoteKind::not_compared,
+                              "the readings of " + word +
+                                  " are left out: it is not among the routings, written like this",
+                              {}});
+    }
+    const bool with_sheath_angle = std::ranges::any_of(
+        data.readings, [](const Reading& reading) { return reading.sheath_angle_rad.has_value(); });
+    if (with_sheath_angle) {
+      data_->notes.push_back(
+          {NoteKind::not_compared,
+           "the model's shares are those at the hardware's sheath angles, whatever "
+           "sheath_angle_rad says of a reading",
+           {}});
+    }
+    if (measured_.empty()) {
+      throw InputError({.where = data.file,
+                        .what = "there is nothing to draw",
+                        .expected = "readings, pulling, of all strands of one of the routings that "
+                                    "are ranked"});
+    }
+  }
+
+  TensionDistribution at(const FrictionCase& which, Grasp grasp) {
+    TensionDistribution result;
+    const Hardware hardware = effective_hardware(which.model);
+    result.kind = which.kind;
+    result.tube_mu = hardware.tube.mu;
+    result.sheath_mu = hardware.sheath.mu;
+    for (const Effect& effect : which.model.effects) {
+      if (!is_coefficient_of_tubes_or_sheaths(effect))
+        result.other_effects.push_back(effect_name(effect));
+    }
+    result.sensors_differ = reaches(which.model, Reach::reading);
+    result.grasp = grasp;
+    for (const Routing& routing : request_.routings) {
+      const SolvedRouting shown =
+          solved_routing(routing, which.model, {{grasp, 1}}, Direction::pull, catalogue_);
+      unconverged_ += shown.unconverged;
+      RoutingShares& shares = result.routings.emplace_back();
+      shares.word = shown.word;
+      shares.name = shown.name;
+      for (const double share : model_shares(shown)) {
+        shares.strands.push_back({fmt::format("T{}", shares.strands.size() + 1), share, {}, {}});
+      }
+      add_measured(shares, grasp);
+    }
+    add_published(result);
+    result.rms_measured = rms_measured(result.routings);
+    result.share_errors = share_errors(result.routings);
+    return result;
+  }
+
+  // Adds the printed shares for these coefficients; a table has precedence over a figure.
+  void add_published(TensionDistribution& distribution) const {
+    for (RoutingShares& shares : distribution.routings) {
+      for (const CatalogueEntry& entry : catalogue_.entries) {
+        if (entry.word != shares.word || !(entry.grasp == distribution.grasp)) continue;
+        for (const PrintedList& list : printed_lists(entry)) {
+          if (list.kind != PrintedKind::share || list.hardware.tube.mu != distribution.tube_mu ||
+              list.hardware.sheath.mu != distribution.sheath_mu ||
+              !shares.published_source.empty()) {
+            continue;
+          }
+          shares.published_source = list.source;
+          for (std::size_t i = 0; i < shares.strands.size(); ++i) {
+            shares.strands[i].published =
+                PublishedShare{list.numbers[i].value / 100, fault(entry, list.source, i)};
+          }
+        }
+      }
+    }
+  }
+
+  void add_measured(RoutingShares& shares, Grasp grasp) const {
+    for (const MeasuredShares& group : measured_) {
+      if (word_of(group) != shares.word || !(group.grasp == grasp)) continue;
+      shares.readings = group.readings;
+      for (std::size_t i = 0; i < shares.strands.size(); ++i) {
+        shares.strands[i].measured = MeasuredShare{group.mean[i], std::nullopt};
+        if (!group.deviation.empty()) shares.strands[i].measured->deviation = group.deviation[i];
+      }
+    }
+  }
+
+  std::string fault(const CatalogueEntry& entry, const std::string& source,
+                    std::size_t strand) const {
+    const CheckedQuantity quantity{CheckedKind::strand_share, static_cast<int>(strand + 1)};
+    for (const CheckItem& item : checked_.items) {
+      if (item.routing == entry.name && item.source == source && item.quantity == quantity &&
+          item.status != CheckStatus::agrees) {
+        return item.reason;
+      }
+    }
+    return "";
+  }
+
+  std::string word_of(const MeasuredShares& group) const {
+    return request_.data->routings[group.routing].word;
+  }
+  bool is_asked_for(const std::string& word) const {
+    return std::ranges::find(words_, word) != words_.end();
+  }
+
+  const DistributionRequest& request_;
+  const Catalogue& catalogue_;
+  CheckReport checked_;
+  std::vector<std::string> words_;
+  std::vector<MeasuredShares> measured_;  // shares of the requested routings
+  std::optional<SharedData> data_;
+  std::uint64_t unconverged_ = 0;
+};
 
 }  // namespace
 

@@ -25,7 +25,7 @@ struct CatalogueFlags {
 };
 
 void add_options(CLI::App& command, CatalogueFlags& flags) {
-  flags.family.add_to(command, "Only this family: paper, or a folder of catalog/families");
+  flags.family.add(command, "--family", "Only this family: paper, or a folder of catalog/families");
   command.add_option("--fingers", flags.fingers, "Only mechanisms with this number of fingers")
       ->check(CLI::Range(1, max_fingers));
   flags.out.add_to(command, "index.html with a drawing of each, catalogue.json and figures/");
@@ -50,15 +50,11 @@ void write_page(const std::filesystem::path& folder, const std::vector<ListedMec
 
 int run(const CatalogueFlags& flags, const CLI::App& command) {
   const std::vector<ListedMechanism> list = listed(flags);
-  std::filesystem::path folder;
-  if (flags.out.is_given()) {
-    folder = flags.out.prepare();
-    write_page(folder, list, command);
-  }
+  if (flags.out.is_given()) write_page(flags.out.prepare(), list, command);
   std::cout << (flags.format.is("json") ? catalogue_json(list)
                                         : printed(catalogue_sheet(list), flags.format));
   if (flags.out.is_given()) {
-    std::cout << announced("index.html, catalogue.json and figures", folder, flags.format);
+    std::cout << announced("index.html, catalogue.json and figures", flags.out.text, flags.format);
   }
   return done;
 }

@@ -30,10 +30,10 @@ struct CheckFlags {
 };
 
 void add_options(CLI::App& command, CheckFlags& flags) {
-  flags.family.add_to(command, "Only this family: paper, or a folder of catalog/families");
-  flags.svg.add_to(command,
-                   "SVG file with a drawing of TR1 to TR7, in the grasp of their published "
-                   "numbers");
+  flags.family.add(command, "--family", "Only this family: paper, or a folder of catalog/families");
+  flags.svg.add(command, "--svg",
+                "SVG file with a drawing of TR1 to TR7, in the grasp of their published "
+                "numbers");
   flags.format.add_to(command, with_tables({"json"}));
 }
 

@@ -22,8 +22,7 @@ namespace {
 
 struct CompareFlags {
   std::string data;
-  std::string out;
-  CLI::Option* out_given = nullptr;
+  OutOption out;
   ReadingFlags readings;
   ModelOption model;
   FormatOption format;
@@ -47,8 +46,8 @@ std::vector<InputFile> inputs(const CompareFlags& flags) {
 }
 
 void write_files(const CompareReport& report, const CompareFlags& flags) {
-  const std::filesystem::path folder = flags.out;
-  require_no_input_in(folder, inputs(flags));
+  const std::filesystem::path folder = flags.out.text;
+  flags.out.require_apart_from(inputs(flags));
   prepare_directory(folder, "--out");
   const std::string json = compare_json(report);
   write_result(folder,
@@ -58,7 +57,7 @@ void write_files(const CompareReport& report, const CompareFlags& flags) {
 
 int run(const CompareFlags& flags, const CLI::App&) {
   const CompareReport result = report(flags);
-  if (flags.out_given->count() > 0) write_files(result, flags);
+  if (flags.out.is_given()) write_files(result, flags);
   std::cout << (flags.format.is("json") ? compare_json(result)
                                         : printed(compare_sheet(result), flags.format));
   return done;
@@ -69,8 +68,7 @@ void add_options(CLI::App& command, CompareFlags& flags) {
       .add_option("data", flags.data, "CSV file of readings; docs/data.md describes its columns")
       ->check(names_a_file)
       ->required();
-  flags.out_given = command.add_option(
-      "--out", flags.out, "Folder for residuals.csv and comparison.json (default: none written)");
+  flags.out.add_to(command, "residuals.csv and comparison.json");
   flags.readings.add_to(command);
   flags.model.add_to(command);
   flags.format.add_to(command, with_tables({"json"}));

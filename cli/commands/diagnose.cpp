@@ -8,7 +8,6 @@
 
 #include "catalog/model_file.hpp"
 #include "cli/api.hpp"
-#include "cli/choice.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/reading_flags.hpp"
@@ -39,18 +38,15 @@ struct DiagnoseFlags {
   bool generated_routings = false;
   bool as_readings = false;
   int threads = 0;
-  std::string out;
-  std::string save_model;
-  std::string terms;
-  CLI::Option* out_given = nullptr;
-  CLI::Option* save_model_given = nullptr;
-  CLI::Option* terms_given = nullptr;
+  OutOption out;
+  TextOption save_model;
+  TextOption terms;
   CLI::Option* replicates_given = nullptr;
   ReadingFlags readings;
   HardwareOption hardware;
   FormatOption format;
 
-  std::filesystem::path page_file() const { return std::filesystem::path(out) / "index.html"; }
+  std::filesystem::path page_file() const { return std::filesystem::path(out.text) / "index.html"; }
 };
 
 // Fewer than alpha needs are refused; where nobody says how many, there are enough.
@@ -72,20 +68,15 @@ DiagnosisSettings settings(const DiagnoseFlags& flags) {
 // Before the long work.
 void require_places(const DiagnoseFlags& flags) {
   std::vector<InputFile> inputs{{flags.data, "the data"}};
-  flags.hardware.list_in(inputs);
-  if (flags.terms_given->count() > 0) inputs.push_back({flags.terms, "the terms"});
-  if (flags.save_model_given->count() > 0) {
-    require_file_can_be_written(flags.save_model, "--save-model");
-    require_not_an_input(flags.save_model, inputs, "--save-model");
-    inputs.push_back(written_by("--save-model", flags.save_model));
+  flags.hardware.list_in(inputs, "the hardware");
+  flags.terms.list_in(inputs, "the terms");
+  flags.save_model.claim("--save-model", inputs);
+  if (!flags.out.is_given()) return;
+  require_folder_can_be_written(flags.out.text, "--out");
+  if (std::filesystem::is_directory(flags.out.text)) {
+    require_file_can_be_written(flags.page_file(), "--out");
   }
-  if (flags.out_given->count() > 0) {
-    require_folder_can_be_written(flags.out, "--out");
-    if (std::filesystem::is_directory(flags.out)) {
-      require_file_can_be_written(flags.page_file(), "--out");
-    }
-    require_no_input_in(flags.out, inputs);
-  }
+  flags.out.require_apart_from(inputs);
 }
 
 // Thousands of samples would be taken for as many readings, and chance for certainty.
@@ -108,8 +99,8 @@ std::optional<DiagnosisReport> report(const DiagnoseFlags& flags, const Catalogu
   DiagnosisRequest request;
   request.hardware = flags.hardware.read().hardware;
   request.settings = settings(flags);
-  if (flags.terms_given->count() > 0) {
-    request.settings.terms = read_terms_file(flags.terms, catalogue);
+  if (flags.terms.is_given()) {
+    request.settings.terms = read_terms_file(flags.terms.text, catalogue);
   }
   request.with_generated = flags.generated_routings;
   request.threads = flags.threads;
@@ -149,8 +140,8 @@ void write_folder(const DiagnosisReport& report, const DiagnoseFlags& flags,
       diagnosis_page({report, command, next_routing(report, catalogue),
                       diagnosed_distributions(report.data, report.hardware, report.result,
                                               report.published, catalogue)});
-  prepare_directory(flags.out, "--out");
-  write_result(flags.out, page, {"diagnosis.json", diagnosis_json(report)},
+  prepare_directory(flags.out.text, "--out");
+  write_result(flags.out.text, page, {"diagnosis.json", diagnosis_json(report)},
                {{"residuals.csv", diagnosis_residuals_csv(report)}});
 }
 
@@ -161,16 +152,16 @@ std::string model_toml(const DiagnosisReport& report, const DiagnoseFlags& flags
 int run(const DiagnoseFlags& flags, const CLI::App& command) {
   const Catalogue catalogue = shipped_catalogue();
   const DiagnosisReport result = watched_report(flags, catalogue);
-  if (flags.out_given->count() > 0) {
+  if (flags.out.is_given()) {
     write_folder(result, flags, command_text(command), catalogue);
   }
-  if (flags.save_model_given->count() > 0) {
-    write_file(flags.save_model, model_toml(result, flags));
+  if (flags.save_model.is_given()) {
+    write_file(flags.save_model.text, model_toml(result, flags));
   }
   std::cout << (flags.format.is("json") ? diagnosis_json(result)
                                         : printed(diagnosis_document(result), flags.format));
-  if (flags.out_given->count() > 0) {
-    std::cout << announced("index.html, diagnosis.json, residuals.csv and figures", flags.out,
+  if (flags.out.is_given()) {
+    std::cout << announced("index.html, diagnosis.json, residuals.csv and figures", flags.out.text,
                            flags.format);
   }
   return result.result.verdict == Verdict::too_few ? answer_is_no : done;
@@ -178,41 +169,33 @@ int run(const DiagnoseFlags& flags, const CLI::App& command) {
 
 void add_settings(CLI::App& command, DiagnoseFlags& flags) {
   DiagnosisSettings& settings = flags.settings;
-  command
-      .add_option("--alpha", settings.alpha,
-                  "Significance level of a coefficient that differs; a quarter of it for "
-                  "further structure")
-      ->check(number_from(least_alpha, 0.5))
-      ->capture_default_str();
-  command
-      .add_option(
-          "--hold-out", settings.hold_out,
-          "Share of the runs held out from the search, for a final test of the gain (0: cross-validation)")
-      ->check(number_from(0, 0.9))
-      ->capture_default_str();
-  command
-      .add_option("--seed", settings.seed, "Seed of the folds of runs and of simulated data sets")
-      ->check(is_seed)
-      ->capture_default_str();
+  add_with_default(command, "--alpha", settings.alpha,
+                   "Significance level of a coefficient that differs; a quarter of it for "
+                   "further structure")
+      ->check(number_from(least_alpha, 0.5));
+  add_with_default(
+      command, "--hold-out", settings.hold_out,
+      "Share of the runs held out from the search, for a final test of the gain (0: cross-validation)")
+      ->check(number_from(0, 0.9));
+  add_with_default(command, "--seed", settings.seed,
+                   "Seed of the folds of runs and of simulated data sets")
+      ->check(is_seed);
   flags.replicates_given =
-      command
-          .add_option("--replicates", settings.replicates,
-                      "Number of simulated data sets by which findings are judged; at least 8 / "
-                      "alpha")
-          ->check(CLI::Range(std::size_t{99}, most_replicates))
-          ->capture_default_str();
+      add_with_default(command, "--replicates", settings.replicates,
+                       "Number of simulated data sets by which findings are judged; at least 8 / "
+                       "alpha")
+          ->check(CLI::Range(std::size_t{99}, most_replicates));
   command
       .add_option(
           "--mounting-scatter", settings.mounting_scatter,
           "Relative scatter of friction exponents between mountings, such as 0.05 (default: "
           "estimated)")
       ->check(number_from(0, 1));
-  flags.terms_given =
-      command
-          .add_option("--terms", flags.terms,
-                      "TOML file with laws, [[law]] as in a model file, that the search tries "
-                      "besides its causes")
-          ->check(names_a_file);
+  flags.terms
+      .add(command, "--terms",
+           "TOML file with laws, [[law]] as in a model file, that the search tries besides its "
+           "causes")
+      ->check(names_a_file);
   command.add_flag("--as-readings", flags.as_readings,
                    "Take each row as a reading even where the file looks like a time series");
   command.add_flag("--generated-routings", flags.generated_routings,
@@ -227,11 +210,9 @@ void add_options(CLI::App& command, DiagnoseFlags& flags) {
       ->required();
   add_settings(command, flags);
   add_threads(command, flags.threads);
-  flags.out_given = command.add_option(
-      "--out", flags.out,
-      "Folder for index.html, figures/, diagnosis.json and residuals.csv (default: none written)");
-  flags.save_model_given = command.add_option(
-      "--save-model", flags.save_model,
+  flags.out.add_to(command, "index.html, figures/, diagnosis.json and residuals.csv");
+  flags.save_model.add(
+      command, "--save-model",
       "TOML file for the extended model, which rank, explore and show take as --model");
   flags.readings.add_to(command);
   flags.readings.add_noise_to(command);

@@ -22,7 +22,6 @@
 #include "core/error.hpp"
 #include "core/hand.hpp"
 #include "reports/exploration/design_list.hpp"
-#include "reports/exploration/exploration_id.hpp"
 #include "reports/exploration/explore_report.hpp"
 #include "reports/exploration/shard_file.hpp"
 #include "reports/exploration/tradeoff_report.hpp"
@@ -133,7 +132,7 @@ std::vector<ShardRecord> records_of(const std::vector<ShardFile>& shards,
 // `inputs`: what is read besides what the options name.
 void prepare_folder(const ExploreFlags& flags, std::vector<InputFile> inputs) {
   flags.model.list_in(inputs);
-  flags.tradeoff.prices.list_in(inputs);
+  flags.tradeoff.prices.list_in(inputs, "the prices");
   flags.store.list_in(inputs);
   require_no_input_in(flags.out, inputs);
   prepare_directory(flags.out, "--out");

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
-#include "cli/choice.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/hand_inputs.hpp"
@@ -19,8 +18,7 @@ namespace {
 struct ExportFlags {
   std::string routing;
   std::string format = "mjcf";
-  std::string out;
-  CLI::Option* out_given = nullptr;
+  TextOption out;
   HardwareOption hardware;
 };
 
@@ -38,16 +36,16 @@ std::string exported(const ExportFlags& flags) {
 }
 
 int run(const ExportFlags& flags, const CLI::App&) {
-  const bool to_file = flags.out_given->count() > 0;
-  if (to_file && flags.out.empty()) {
+  const bool to_file = flags.out.is_given();
+  if (to_file && flags.out.text.empty()) {
     throw InputError({.what = "-o", .value = "", .expected = "a file"});
   }
   std::vector<InputFile> inputs;
-  flags.hardware.list_in(inputs);
-  if (to_file) require_not_an_input(flags.out, inputs, "-o");
+  flags.hardware.list_in(inputs, "the hardware");
+  if (to_file) require_not_an_input(flags.out.text, inputs, "-o");
   const std::string text = exported(flags);
   if (to_file) {
-    write_file(flags.out, text);
+    write_file(flags.out.text, text);
   } else {
     std::cout << text;
   }
@@ -56,10 +54,9 @@ int run(const ExportFlags& flags, const CLI::App&) {
 
 void add_options(CLI::App& command, ExportFlags& flags) {
   command.add_option("routing", flags.routing, "Catalogue name or word")->required();
-  command.add_option("--format", flags.format, "mjcf: the XML of MuJoCo")
-      ->check(one_of({"mjcf"}))
-      ->capture_default_str();
-  flags.out_given = command.add_option("-o,--output", flags.out, "File (default: standard output)");
+  add_with_default(command, "--format", flags.format, "mjcf: the XML of MuJoCo")
+      ->check(one_of({"mjcf"}));
+  flags.out.add(command, "-o,--output", "File (default: standard output)");
   flags.hardware.add_to(command);
 }
 

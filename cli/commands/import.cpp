@@ -4,7 +4,6 @@
 #include <string>
 
 #include "cli/api.hpp"
-#include "cli/choice.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/reading_flags.hpp"
@@ -25,27 +24,18 @@ struct ImportFlags {
   ReadingFlags columns;
   ImportLabels labels{.start = "--"};
   SteadyOptions options;
-  std::string direction;
-  std::string out;
-  std::string plot;
-  CLI::Option* out_given = nullptr;
-  CLI::Option* plot_given = nullptr;
-  CLI::Option* direction_given = nullptr;
+  TextOption direction;
+  TextOption out;
+  TextOption plot;
   bool guess = false;
   FormatOption format;
 };
 
 void require_places(const ImportFlags& flags) {
   std::vector<InputFile> taken{{flags.log, "the data"}};
-  const auto take = [&](const CLI::Option* given, const std::string& file, const char* option) {
-    if (given->count() == 0) return;
-    require_file_can_be_written(file, option);
-    require_not_an_input(file, taken, option);
-    taken.push_back(written_by(option, file));
-  };
-  take(flags.out_given, flags.out, "-o");
-  take(flags.plot_given, flags.plot, "--plot");
-  require_svg(flags.plot, "--plot");
+  flags.out.claim("-o", taken);
+  flags.plot.claim("--plot", taken);
+  require_svg(flags.plot.text, "--plot");
 }
 
 ReadingOptions reading_options(const ImportFlags& flags) {
@@ -58,8 +48,8 @@ ReadingOptions reading_options(const ImportFlags& flags) {
 ImportReport report(const ImportFlags& flags) {
   const Catalogue catalogue = shipped_catalogue();
   SteadyOptions options = flags.options;
-  if (flags.direction_given->count() > 0) {
-    options.direction = flags.direction == "pull" ? Direction::pull : Direction::release;
+  if (flags.direction.is_given()) {
+    options.direction = flags.direction.text == "pull" ? Direction::pull : Direction::release;
   }
   return import_study(read_logged_series(flags.log, reading_options(flags)), flags.labels, options,
                       [&](const std::string& text) { return read_routing(text, catalogue); });
@@ -94,9 +84,9 @@ void print(const ImportReport& result, const ImportFlags& flags, bool written) {
   Document document = import_sheet(result);
   if (flags.format.is("table")) {
     Section last;
-    if (written) last.lines.push_back({fmt::format("Written: {}", flags.out)});
-    if (flags.plot_given->count() > 0) {
-      last.lines.push_back({fmt::format("Plot: {}", flags.plot)});
+    if (written) last.lines.push_back({fmt::format("Written: {}", flags.out.text)});
+    if (flags.plot.is_given()) {
+      last.lines.push_back({fmt::format("Plot: {}", flags.plot.text)});
     }
     document.add(last);
   }
@@ -112,9 +102,9 @@ int run(const ImportFlags& flags, const CLI::App& command) {
   require_places(flags);
   const ImportReport result = report(flags);
   const bool found = !result.steady.readings.empty();
-  const bool written = found && flags.out_given->count() > 0;
-  if (flags.plot_given->count() > 0) write_file(flags.plot, log_svg(result));
-  if (written) write_file(flags.out, imported_csv(result, made_by(command)));
+  const bool written = found && flags.out.is_given();
+  if (flags.plot.is_given()) write_file(flags.plot.text, log_svg(result));
+  if (written) write_file(flags.out.text, imported_csv(result, made_by(command)));
   print(result, flags, written);
   return found ? done : answer_is_no;
 }
@@ -128,29 +118,22 @@ void add_labels(CLI::App& command, ImportFlags& flags) {
   command.add_option("--held", flags.labels.held,
                      "Held fingers of all readings, such as 1 or '1;2', if the log has no column "
                      "held (default: none)");
-  flags.direction_given =
-      command
-          .add_option("--direction", flags.direction,
-                      "Direction of the carriage, if position, speed and load do not show it")
-          ->check(one_of({"pull", "release"}));
+  flags.direction
+      .add(command, "--direction",
+           "Direction of the carriage, if position, speed and load do not show it")
+      ->check(one_of({"pull", "release"}));
 }
 
 void add_steadiness(CLI::App& command, SteadyOptions& options) {
-  command
-      .add_option("--min-duration", options.min_duration_s,
-                  "Least duration of a reading in seconds")
-      ->check(number_from(0.1, 3600))
-      ->capture_default_str();
-  command
-      .add_option("--tolerance", options.tolerance,
-                  "Greatest relative change of a steady tension, besides its noise")
-      ->check(number_from(0.0001, 0.5))
-      ->capture_default_str();
-  command
-      .add_option("--readings-per-stroke", options.readings_per_stroke,
-                  "Greatest number of readings of one stroke with a rising or falling load")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{20}))
-      ->capture_default_str();
+  add_with_default(command, "--min-duration", options.min_duration_s,
+                   "Least duration of a reading in seconds")
+      ->check(number_from(0.1, 3600));
+  add_with_default(command, "--tolerance", options.tolerance,
+                   "Greatest relative change of a steady tension, besides its noise")
+      ->check(number_from(0.0001, 0.5));
+  add_with_default(command, "--readings-per-stroke", options.readings_per_stroke,
+                   "Greatest number of readings of one stroke with a rising or falling load")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{20}));
   command.add_flag("--reverse", options.reverse,
                    "Position and speed of the log fall while the carriage pulls");
 }
@@ -161,16 +144,14 @@ void add_options(CLI::App& command, ImportFlags& flags) {
                   "CSV file with a row for each sample; docs/logger.md describes its columns")
       ->check(names_a_file)
       ->required();
-  flags.out_given = command.add_option("-o,--output", flags.out,
-                                       "CSV file for the readings (default: none written)");
-  flags.plot_given = command.add_option(
-      "--plot", flags.plot,
-      "SVG file with the signals, the readings, and the samples left out, with reasons");
+  flags.out.add(command, "-o,--output", "CSV file for the readings (default: none written)");
+  flags.plot.add(command, "--plot",
+                 "SVG file with the signals, the readings, and the samples left out, with reasons");
   command
       .add_flag("--guess", flags.guess,
                 "Propose what the columns mean, show the first samples and list what is missing")
-      ->excludes(flags.out_given)
-      ->excludes(flags.plot_given);
+      ->excludes(flags.out.option)
+      ->excludes(flags.plot.option);
   flags.columns.add_columns_to(command);
   add_labels(command, flags);
   add_steadiness(command, flags.options);

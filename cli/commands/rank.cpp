@@ -46,8 +46,7 @@ struct RankFlags {
   FamilyOption family;
   bool margin = false;
   OutOption out;
-  std::string data;
-  CLI::Option* data_given = nullptr;
+  TextOption data;
   ReadingFlags readings;
   std::string distributions = "0.18,0.09";
   RankingFlags ranking;
@@ -102,8 +101,8 @@ RankInputs read(const RankFlags& flags) {
   require_values_to_act(inputs.file.model.hardware, inputs.routings);
   require_known_fingers(inputs.file.model.hardware, finger_count(inputs.routings.front()));
   inputs.cases = read_friction_cases(flags.distributions, inputs.file.model);
-  if (flags.data_given->count() > 0) {
-    inputs.data = flags.readings.read(flags.data, inputs.catalogue);
+  if (flags.data.is_given()) {
+    inputs.data = flags.readings.read(flags.data.text, inputs.catalogue);
   }
   return inputs;
 }
@@ -154,8 +153,8 @@ RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
 void require_places(const RankFlags& flags) {
   std::vector<InputFile> inputs;
   flags.model.list_in(inputs);
-  flags.tradeoff.prices.list_in(inputs);
-  if (flags.data_given->count() > 0) inputs.push_back({flags.data, "the data"});
+  flags.tradeoff.prices.list_in(inputs, "the prices");
+  flags.data.list_in(inputs, "the data");
   flags.out.require_apart_from(inputs);
 }
 
@@ -171,9 +170,7 @@ void add_distributions(RankReport& report, TensionDistributions distributions) {
 Document shortest_document(const RankRequest& asked, const ListedWith& with,
                            const ListColumns& columns) {
   RankReport report;
-  report.order = asked.order;
-  report.score = asked.score;
-  report.prices = asked.prices;
+  static_cast<RankSettings&>(report) = static_cast<const RankSettings&>(asked);
   if (asked.draws) report.uncertainty = uncertainty_of(asked);
   for (const Routing& routing : asked.routings) {
     report.designs.push_back(shortest_line(to_word(routing), asked.order, with));
@@ -188,9 +185,9 @@ Document shortest_document(const RankRequest& asked, const ListedWith& with,
 void require_all_to_be_shown(const RankFlags& flags) {
   const char* asked = flags.margin ? "--margin" : flags.sweep.text.empty() ? "" : "--sweep";
   if (*asked == '\0' || flags.out.is_given()) return;
-  const char* lacks = flags.format.is("csv")          ? "--format csv"
-                      : !flags.tables.columns.empty() ? "--columns"
-                                                      : "";
+  const char* lacks = flags.format.is("csv")               ? "--format csv"
+                      : !flags.tables.columns.text.empty() ? "--columns"
+                                                           : "";
   if (*lacks == '\0') return;
   throw InputError({.where = asked,
                     .what = fmt::format("{} prints the ranking alone", lacks),
@@ -199,7 +196,7 @@ void require_all_to_be_shown(const RankFlags& flags) {
 }
 
 int run(const RankFlags& flags, const CLI::App& command) {
-  if (flags.stored.is_given()) {
+  if (flags.stored.store.is_given()) {
     return rank_stored(command, flags.stored, flags.tables, flags.format);
   }
   require_all_to_be_shown(flags);
@@ -214,10 +211,9 @@ int run(const RankFlags& flags, const CLI::App& command) {
   require_places(flags);
   // First what may still refuse its input: then the folder, then what takes long.
   TensionDistributions distributions;
-  std::filesystem::path folder;
   if (flags.out.is_given()) {
     distributions = distributions_of(inputs);
-    folder = flags.out.prepare();
+    flags.out.prepare();
   }
   std::optional<RankReport> report = supervised([&](const StudySupervision& supervision) {
     return ranking_study(asked, inputs.catalogue, supervision);
@@ -225,14 +221,14 @@ int run(const RankFlags& flags, const CLI::App& command) {
   if (!report) throw Interrupted();
   if (report->details) {
     add_distributions(*report, std::move(distributions));
-    write_page(*report, folder, command);
+    write_page(*report, flags.out.text, command);
   }
   print(*report, flags, columns);
   if (flags.out.is_given()) {
     std::cout << announced(report->sweep
                                ? "index.html, tradeoff.csv, sweep.csv, ranking.json and figures"
                                : "index.html, tradeoff.csv, ranking.json and figures",
-                           folder, flags.format);
+                           flags.out.text, flags.format);
   }
   return done;
 }
@@ -244,34 +240,28 @@ void add_options(CLI::App& command, RankFlags& flags) {
                        "All routings of one family of the catalogue that have the same number of "
                        "fingers, or --fingers");
   flags.family
-      .add_to(command,
-              "Family of --catalogue: paper, or a folder of catalog/families (default: paper)")
+      .add(command, "--family",
+           "Family of --catalogue: paper, or a folder of catalog/families (default: paper)")
       ->needs(catalog);
-  flags.fingers_given = command
-                            .add_option("--fingers", flags.fingers,
-                                        "Number of fingers, for --catalogue without routings")
+  flags.fingers_given = add_with_default(command, "--fingers", flags.fingers,
+                                         "Number of fingers, for --catalogue without routings")
                             ->needs(catalog)
-                            ->check(CLI::Range(1, max_fingers))
-                            ->capture_default_str();
+                            ->check(CLI::Range(1, max_fingers));
   command.add_flag("--margin", flags.margin,
                    "Find the coefficients, within their ranges, at which the best design's lead "
                    "is least");
   CLI::Option* out =
       flags.out.add_to(command, "index.html, ranking.json, tradeoff.csv, sweep.csv and figures/");
-  flags.data_given =
-      command
-          .add_option("--data", flags.data,
-                      "CSV file of readings to draw on the page beside the model's tensions; see "
-                      "docs/data.md")
-          ->check(names_a_file)
-          ->needs(out);
-  flags.readings.add_to(command, flags.data_given);
-  command
-      .add_option("--distribution-mu", flags.distributions,
-                  "Friction coefficients of the tension distributions on the page; 'model': "
-                  "those of the model")
-      ->needs(out)
-      ->capture_default_str();
+  flags.data
+      .add(command, "--data",
+           "CSV file of readings to draw on the page beside the model's tensions; see docs/data.md")
+      ->check(names_a_file)
+      ->needs(out);
+  flags.readings.add_to(command, flags.data.option);
+  add_with_default(command, "--distribution-mu", flags.distributions,
+                   "Friction coefficients of the tension distributions on the page; 'model': "
+                   "those of the model")
+      ->needs(out);
   flags.stored.add_to(command);
   flags.ranking.add_to(command);
   flags.tradeoff.add_to(command);

@@ -133,29 +133,29 @@ std::string printed(const StoredRanking& ranking, const ListColumns& columns,
 }  // namespace
 
 void StoredRankingFlags::add_to(CLI::App& rank) {
-  given_ = rank.add_option("--store", store,
-                           "Rank the designs of a store of explore, by its own options or by those "
-                           "given here");
+  store.add(rank, "--store",
+            "Rank the designs of a store of explore, by its own options or by those given here");
   rank.add_option("--constraint", constraints,
                   "With --store: keep only designs that meet this, such as 'sheaths<=2'; may "
                   "be repeated")
       ->allow_extra_args(false)
-      ->needs(given_);
+      ->needs(store.option);
   rank.add_option("--top", top, "With --store: number of best designs to list")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
-      ->needs(given_);
+      ->needs(store.option);
 }
 
 StoredRanking stored_ranking_of(const CLI::App& rank, const StoredRankingFlags& flags,
                                 const AsListed& as_listed) {
   require_nothing_else(rank);
-  const StoreReader reader{std::filesystem::path(flags.store)};
-  const RankArguments arguments = stored_arguments(reader.description(), flags.store);
+  const std::string& file = flags.store.text;
+  const StoreReader reader{std::filesystem::path(file)};
+  const RankArguments arguments = stored_arguments(reader.description(), file);
   const Catalogue catalogue = shipped_catalogue();
-  const ParsedExplore then(arguments, flags.store);
-  const ExploreOptions stored = stored_options(then, reader, flags.store, catalogue);
-  const ParsedExplore now(as_asked(arguments, asked_arguments(rank)), flags.store);
-  require_values(now.flags, stored, flags.store);
+  const ParsedExplore then(arguments, file);
+  const ExploreOptions stored = stored_options(then, reader, file, catalogue);
+  const ParsedExplore now(as_asked(arguments, asked_arguments(rank)), file);
+  require_values(now.flags, stored, file);
   ExploreOptions asked = now.flags.read(stored.model, catalogue);
   asked.threads = rank.get_option("--threads")->as<int>();
   if (as_listed) {

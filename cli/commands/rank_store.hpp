@@ -15,15 +15,11 @@
 namespace reeve::cli {
 
 struct StoredRankingFlags {
-  std::string store;
+  TextOption store;
   std::vector<std::string> constraints;
   std::size_t top = 0;
 
   void add_to(CLI::App& rank);
-  bool is_given() const { return given_->count() > 0; }
-
- private:
-  CLI::Option* given_ = nullptr;
 };
 
 // Told what a list of the designs has, before the work. May be empty.

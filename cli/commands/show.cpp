@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "cli/api.hpp"
-#include "cli/choice.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/flags/tradeoff_flags.hpp"
@@ -94,9 +93,9 @@ ShownRouting report(const ShowFlags& flags) {
 void require_places(const ShowFlags& flags) {
   std::vector<InputFile> inputs;
   flags.model.list_in(inputs);
-  flags.prices.list_in(inputs);
+  flags.prices.list_in(inputs, "the prices");
   flags.svg.require_apart_from(inputs);
-  flags.svg.list_in(inputs);
+  flags.svg.list_in(inputs, "the file of --svg");
   flags.out.require_apart_from(inputs);
 }
 
@@ -141,11 +140,7 @@ int run(const ShowFlags& flags, const CLI::App& command) {
   require_one_grasp_to_draw(flags);
   require_places(flags);
   if (flags.svg.is_given()) write_drawing(flags, shown);
-  std::filesystem::path folder;
-  if (flags.out.is_given()) {
-    folder = flags.out.prepare();
-    write_page(folder, shown, command);
-  }
+  if (flags.out.is_given()) write_page(flags.out.prepare(), shown, command);
   if (flags.format.is("json")) {
     std::cout << show_json(shown);
   } else if (flags.format.is("dot")) {
@@ -154,7 +149,7 @@ int run(const ShowFlags& flags, const CLI::App& command) {
     std::cout << printed(show_document(shown), flags.format);
   }
   if (flags.out.is_given()) {
-    std::cout << announced("index.html, routing.json and figures", folder, flags.format);
+    std::cout << announced("index.html, routing.json and figures", flags.out.text, flags.format);
   }
   return done;
 }
@@ -177,12 +172,11 @@ void add_options(CLI::App& command, ShowFlags& flags) {
                   "Held fingers, such as 1,2 or none; may be repeated (default: none, and each "
                   "finger alone)")
       ->allow_extra_args(false);
-  command.add_option("--direction", flags.direction, "Direction of the carriage")
-      ->check(one_of({"pull", "release"}))
-      ->capture_default_str();
-  flags.svg.add_to(command,
-                   "SVG file with a drawing in the grasp of --held (without --held: parts "
-                   "alone, no tensions)");
+  add_with_default(command, "--direction", flags.direction, "Direction of the carriage")
+      ->check(one_of({"pull", "release"}));
+  flags.svg.add(command, "--svg",
+                "SVG file with a drawing in the grasp of --held (without --held: parts "
+                "alone, no tensions)");
   flags.out.add_to(command, "a page, index.html, with routing.json and figures/");
   flags.prices.add_to(command, "adds what this routing costs");
   flags.model.add_with_friction_to(command);

@@ -34,8 +34,7 @@ struct SimulateFlags {
   CLI::Option* cause = nullptr;
   CLI::Option* set = nullptr;
   std::uint64_t seed = 1;
-  std::string out;
-  CLI::Option* out_given = nullptr;
+  TextOption out;
   std::size_t power = 0;
   ModelOption model;
   FormatOption format;
@@ -60,7 +59,7 @@ std::vector<Given> options_in_order(const CLI::App& command) {
 std::string command_text(const SimulateFlags& flags) {
   std::string text = "reeve simulate";
   for (const Given& given : options_in_order(*flags.command)) {
-    if (given.option == flags.out_given) continue;
+    if (given.option == flags.out.option) continue;
     text += " --" + given.option->get_lnames().front() + " " + shell_word(given.value);
   }
   return text;
@@ -194,12 +193,12 @@ std::optional<PowerReport> power(const SimulateFlags& flags, const StudySupervis
 }
 
 int run(const SimulateFlags& flags, const CLI::App&) {
-  const bool to_file = flags.out_given->count() > 0;
-  if (to_file && flags.out.empty())
+  const bool to_file = flags.out.is_given();
+  if (to_file && flags.out.text.empty())
     throw InputError({.what = "-o", .value = "", .expected = "a file"});
   std::vector<InputFile> inputs;
   flags.model.list_in(inputs);
-  if (to_file) require_not_an_input(flags.out, inputs, "-o");
+  if (to_file) require_not_an_input(flags.out.text, inputs, "-o");
   if (flags.power > 0) {
     const auto report =
         supervised([&](const StudySupervision& supervision) { return power(flags, supervision); });
@@ -209,8 +208,8 @@ int run(const SimulateFlags& flags, const CLI::App&) {
     return done;
   }
   const SimulationReport report = simulated(flags);
-  if (to_file) write_file(flags.out, simulation_csv(report));
-  std::cout << (to_file ? simulation_summary(report, flags.out) : simulation_csv(report));
+  if (to_file) write_file(flags.out.text, simulation_csv(report));
+  std::cout << (to_file ? simulation_summary(report, flags.out.text) : simulation_csv(report));
   return done;
 }
 
@@ -227,18 +226,16 @@ void add_options(CLI::App& command, SimulateFlags& flags) {
                               "Parameter of the --cause before it, such as gain=1.08")
                   ->allow_extra_args(false);
   flags.model.add_to(command);
-  command.add_option("--seed", flags.seed, "Seed of the conditions and the noise")
-      ->check(is_seed)
-      ->capture_default_str();
-  flags.out_given =
-      command.add_option("-o,--output", flags.out, "CSV file (default: standard output)");
+  add_with_default(command, "--seed", flags.seed, "Seed of the conditions and the noise")
+      ->check(is_seed);
+  flags.out.add(command, "-o,--output", "CSV file (default: standard output)");
   CLI::Option* power =
       command
           .add_option("--power", flags.power,
                       "Simulate and diagnose this many experiments; report how often the hidden "
                       "causes are found")
           ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
-          ->excludes(flags.out_given);
+          ->excludes(flags.out.option);
   flags.format.add_to(command, with_tables({"json"}));
   command.get_option("--format")->needs(power);
 }

@@ -35,22 +35,17 @@ namespace {
 
 struct SizeFlags {
   std::vector<std::string> routings;
-  std::string from;
-  CLI::Option* from_given = nullptr;
+  TextOption from;
   std::size_t top = 20;
   std::vector<std::string> vary;
   std::vector<std::string> equal;
   std::string goal = "uniformity*efficiency";
-  std::string target;
-  CLI::Option* target_given = nullptr;
-  std::string grasps = "single";
-  CLI::Option* grasps_given = nullptr;
-  std::string score = "authors";
-  CLI::Option* score_given = nullptr;
+  TextOption target;
+  TextOption grasps{"single"};
+  TextOption score{"authors"};
   bool nominal = false;
   SizingOptions search;  // draws, seed, starts, evaluations, threads
-  std::string save;
-  CLI::Option* save_given = nullptr;
+  TextOption save;
   OutOption out;
   ModelOption model;
   TableFlags tables;
@@ -58,24 +53,16 @@ struct SizeFlags {
 };
 
 void add_goal(CLI::App& command, SizeFlags& flags) {
-  CLI::Option* goal =
-      command
-          .add_option("--goal", flags.goal,
-                      "Goal: an objective, a product such as uniformity_worst*efficiency_worst, or "
-                      "score (of --score)")
-          ->capture_default_str();
-  flags.target_given =
-      command
-          .add_option("--target", flags.target,
-                      "In place of a goal: ratio of the fingers' pulls, such as 1=2,others=1")
-          ->excludes(goal);
-  flags.score_given =
-      command.add_option("--score", flags.score, "For --goal score: objectives with weights")
-          ->default_str("authors");
-  flags.grasps_given = command
-                           .add_option("--grasps", flags.grasps,
-                                       "Grasps as in rank; the default for --target is none held")
-                           ->capture_default_str();
+  CLI::Option* goal = add_with_default(
+      command, "--goal", flags.goal,
+      "Goal: an objective, a product such as uniformity_worst*efficiency_worst, or "
+      "score (of --score)");
+  flags.target
+      .add(command, "--target",
+           "In place of a goal: ratio of the fingers' pulls, such as 1=2,others=1")
+      ->excludes(goal);
+  flags.score.add(command, "--score", "For --goal score: objectives with weights");
+  flags.grasps.add(command, "--grasps", "Grasps as in rank; the default for --target is none held");
 }
 
 void add_search(CLI::App& command, SizeFlags& flags) {
@@ -84,34 +71,27 @@ void add_search(CLI::App& command, SizeFlags& flags) {
       command.add_flag("--nominal", flags.nominal,
                        "Size for the nominal coefficients, not for the 5 % quantile over their "
                        "ranges");
-  command.add_option("--draws", search.draws, "Number of draws of the coefficients")
+  add_with_default(command, "--draws", search.draws, "Number of draws of the coefficients")
       ->excludes(nominal)
-      ->check(CLI::Range(std::size_t{1}, std::size_t{10000}))
-      ->capture_default_str();
-  command.add_option("--seed", search.seed, "Seed of the draws and of the starts")
-      ->check(is_seed)
-      ->capture_default_str();
-  command.add_option("--starts", search.starts, "Number of local searches besides the global one")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command
-      .add_option("--evaluations", search.evaluations,
-                  "Greatest number of evaluations in each search")
-      ->check(CLI::Range(10, 1000000))
-      ->capture_default_str();
+      ->check(CLI::Range(std::size_t{1}, std::size_t{10000}));
+  add_with_default(command, "--seed", search.seed, "Seed of the draws and of the starts")
+      ->check(is_seed);
+  add_with_default(command, "--starts", search.starts,
+                   "Number of local searches besides the global one")
+      ->check(CLI::Range(1, 1000));
+  add_with_default(command, "--evaluations", search.evaluations,
+                   "Greatest number of evaluations in each search")
+      ->check(CLI::Range(10, 1000000));
   add_threads(command, search.threads);
 }
 
 void add_options(CLI::App& command, SizeFlags& flags) {
   command.add_option("routing", flags.routings, "Catalogue names or words");
-  flags.from_given = command
-                         .add_option("--from", flags.from,
-                                     "Folder of an exploration, whose best designs are sized too")
-                         ->check(names_a_file);
-  command.add_option("--top", flags.top, "Number of designs of --from")
+  flags.from.add(command, "--from", "Folder of an exploration, whose best designs are sized too")
+      ->check(names_a_file);
+  add_with_default(command, "--top", flags.top, "Number of designs of --from")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000}))
-      ->needs(flags.from_given)
-      ->capture_default_str();
+      ->needs(flags.from.option);
   command
       .add_option("--vary", flags.vary,
                   "Vary, as X=3..9: sheath_angle tip_angle strand_mm closing arm_mm contact_angle "
@@ -124,8 +104,7 @@ void add_options(CLI::App& command, SizeFlags& flags) {
       ->allow_extra_args(false);
   add_goal(command, flags);
   add_search(command, flags);
-  flags.save_given =
-      command.add_option("--save-hardware", flags.save, "TOML file for the sized hardware");
+  flags.save.add(command, "--save-hardware", "TOML file for the sized hardware");
   flags.out.add_to(command, "a page, index.html, with sizing.json and figures/");
   flags.model.add_with_friction_to(command);
   flags.tables.add_to(command, "the dimensions or routings");
@@ -137,13 +116,13 @@ std::vector<Routing> read_routings(const SizeFlags& flags, const Catalogue& cata
   for (const std::string& text : flags.routings) {
     routings.push_back(read_actuated_routing(text, catalogue));
   }
-  if (flags.from_given->count() > 0) {
+  if (flags.from.is_given()) {
     for (Routing& routing :
-         for_option("--from", [&] { return explored_designs(flags.from, flags.top); })) {
+         for_option("--from", [&] { return explored_designs(flags.from.text, flags.top); })) {
       for_option("--from", [&] { require_actuated(expand(routing), to_word(routing)); });
       routings.push_back(std::move(routing));
     }
-    for_option("--from", [&] { return summary_of_one_exploration(flags.from); });
+    for_option("--from", [&] { return summary_of_one_exploration(flags.from.text); });
   }
   if (routings.empty()) {
     throw InputError({.where = "size",
@@ -207,9 +186,9 @@ bool counts_score(const Goal& goal) {
 
 // Weights that nothing asks for would be passed over.
 void require_score_to_count(const SizeFlags& flags, const Goal& goal) {
-  if (flags.score_given->count() == 0 || counts_score(goal)) return;
+  if (!flags.score.is_given() || counts_score(goal)) return;
   throw InputError({.what = "--score",
-                    .value = flags.score,
+                    .value = flags.score.text,
                     .expected = "--goal score with it; the goal is another"});
 }
 
@@ -220,15 +199,15 @@ SizingOptions read_options(const SizeFlags& flags, const ModelFile& file,
   options.nominal = file.model;
   options.ranges = file.uncertainty;
   options.robust = !flags.nominal;
-  const bool targeted = flags.target_given->count() > 0;
-  options.grasps = for_name("--", [&] { return grasps_of(flags.grasps, routings); });
+  const bool targeted = flags.target.is_given();
+  options.grasps = for_name("--", [&] { return grasps_of(flags.grasps.text, routings); });
   // A target is of all fingers that close; with one held, friction in it turns.
-  if (targeted && flags.grasps_given->count() == 0) {
+  if (targeted && !flags.grasps.is_given()) {
     options.target_grasps = parse_grasps("none", fingers);
   }
-  options.score = for_name("--", [&] { return parse_score(flags.score); });
+  options.score = for_name("--", [&] { return parse_score(flags.score.text); });
   options.goal = for_name("--", [&] {
-    return targeted ? parse_target(flags.target, fingers) : parse_goal(flags.goal);
+    return targeted ? parse_target(flags.target.text, fingers) : parse_goal(flags.goal);
   });
   require_score_to_count(flags, options.goal);
   require_hand_for("--goal", options.goal.factors, options.nominal.hardware);
@@ -246,13 +225,13 @@ std::vector<std::string> notes(const SizeFlags& flags, const SizingOptions& opti
   std::vector<Network> networks;
   for (const Routing& routing : routings) networks.push_back(expand(routing));
   append(notes, model_notes(options.nominal, networks));
-  if (flags.from_given->count() == 0) return notes;
-  const std::string differing =
-      differing_settings(summary_of_one_exploration(flags.from), options.nominal, options.grasps);
+  if (!flags.from.is_given()) return notes;
+  const std::string differing = differing_settings(summary_of_one_exploration(flags.from.text),
+                                                   options.nominal, options.grasps);
   if (differing.empty()) return notes;
   notes.insert(notes.begin(),
                fmt::format("the exploration in {} was made with other settings than these: {}",
-                           flags.from, differing));
+                           flags.from.text, differing));
   return notes;
 }
 
@@ -260,7 +239,8 @@ std::vector<std::string> notes(const SizeFlags& flags, const SizingOptions& opti
 std::vector<std::string> read_columns(const SizeFlags& flags, const Hardware& hardware) {
   std::vector<std::string> known = dimension_column_names();
   const std::vector<std::string> of_routings = sized_column_names(hardware);
-  const std::string first = flags.tables.columns.substr(0, flags.tables.columns.find(','));
+  const std::string first =
+      flags.tables.columns.text.substr(0, flags.tables.columns.text.find(','));
   if (std::ranges::find(of_routings, first) != of_routings.end()) {
     known = of_routings;
   } else if (std::ranges::find(known, first) == known.end()) {
@@ -274,8 +254,8 @@ void print(const SizingReport& report, const SizeFlags& flags,
   std::cout << (flags.format.is("json")
                     ? sizing_json(report)
                     : flags.tables.printed(sizing_document(report, columns), flags.format));
-  if (flags.save_given->count() > 0 && flags.format.is("table")) {
-    std::cout << "\nHardware file: " << flags.save << '\n';
+  if (flags.save.is_given() && flags.format.is("table")) {
+    std::cout << "\nHardware file: " << flags.save.text << '\n';
   }
 }
 
@@ -287,20 +267,16 @@ void write_page(const SizingReport& report, const std::filesystem::path& folder,
 std::vector<InputFile> inputs_of(const SizeFlags& flags) {
   std::vector<InputFile> inputs;
   flags.model.list_in(inputs);
-  if (flags.from_given->count() == 0) return inputs;
+  if (!flags.from.is_given()) return inputs;
   for (const char* file : {"designs.csv", "summary.json", "index.html"}) {
-    inputs.push_back({std::filesystem::path(flags.from) / file, "what is sized"});
+    inputs.push_back({std::filesystem::path(flags.from.text) / file, "what is sized"});
   }
   return inputs;
 }
 
 void require_places(const SizeFlags& flags) {
   std::vector<InputFile> inputs = inputs_of(flags);
-  if (flags.save_given->count() > 0) {
-    require_file_can_be_written(flags.save, "--save-hardware");
-    require_not_an_input(flags.save, inputs, "--save-hardware");
-    inputs.push_back(written_by("--save-hardware", flags.save));
-  }
+  flags.save.claim("--save-hardware", inputs);
   flags.out.require_apart_from(inputs);
 }
 
@@ -350,20 +326,19 @@ SizingReport sized(const SizeFlags& flags, const SizeInputs& inputs,
 int run(const SizeFlags& flags, const CLI::App& command) {
   const SizeInputs inputs = read(flags);
   require_places(flags);
-  std::filesystem::path folder;
-  if (flags.out.is_given()) folder = flags.out.prepare();
+  if (flags.out.is_given()) flags.out.prepare();
   SizingReport report = supervised(
       [&](const StudySupervision& supervision) { return sized(flags, inputs, supervision); });
-  if (flags.save_given->count() > 0) {
-    write_file(flags.save, sized_hardware_toml(report, inputs.vary));
+  if (flags.save.is_given()) {
+    write_file(flags.save.text, sized_hardware_toml(report, inputs.vary));
   }
   if (flags.out.is_given()) {
     report.details = sizing_details(report, inputs.catalogue);
-    write_page(report, folder, sizing_command(command));
+    write_page(report, flags.out.text, sizing_command(command));
   }
   print(report, flags, inputs.columns);
   if (flags.out.is_given()) {
-    std::cout << announced("index.html, sizing.json and figures", folder, flags.format);
+    std::cout << announced("index.html, sizing.json and figures", flags.out.text, flags.format);
   }
   if (report.partial) return interrupted;
   return best_meets_target(report) ? done : answer_is_no;

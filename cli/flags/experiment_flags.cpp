@@ -199,86 +199,63 @@ std::vector<Segment> read_channels(const std::string& text,
 }  // namespace
 
 void ExperimentFlags::add_to(CLI::App& command) {
+  const CLI::Range count(std::size_t{1}, max_planned_readings);
+  const auto add = [&](const char* name, auto& value, const char* help) {
+    return add_with_default(command, name, value, help);
+  };
+  const auto add_list = [&](const char* name, std::vector<std::string>& values, const char* help) {
+    command.add_option(name, values, help)->allow_extra_args(false);
+  };
   command
       .add_option("--routings", routings,
                   "Routings, mounted in turns: catalogue names or words, separated by commas")
       ->required();
-  command
-      .add_option("--grasps", grasps,
-                  "Grasps: single (none held, and each finger held alone), all, or held "
-                  "fingers such as none/1/2")
-      ->capture_default_str();
-  command.add_option("--directions", directions, "pull, release, or pull,release")
-      ->capture_default_str();
-  command
-      .add_option("--channels", channels,
-                  "Segments with a sensor: strands, all, or names such as T1,T3,a")
-      ->capture_default_str();
-  command
-      .add_option("--motor-tension", motor_tension,
-                  "Motor tensions in N: a range 5:60 or a list 5,10,20")
-      ->capture_default_str();
-  speed_ = command.add_option("--speed", speed,
-                              "Speeds in mm/s: a range or a list (default: no such column)");
-  cycles_ = command.add_option(
-      "--cycles", cycles,
-      "Cycle numbers, rising over the experiment: a range or a list (default: no "
-      "such column)");
-  temperature_ =
-      command.add_option("--temperature", temperature,
-                         "Temperatures in C: a range or a list (default: no such column)");
-  sheath_angle_ =
-      command.add_option("--sheath-angle", sheath_angle,
-                         "Wrap angles of all sheaths in rad: a range or a list (default: the "
-                         "hardware's)");
-  command
-      .add_option("--column", columns,
-                  "A further column that varies between readings, such as humidity_pct=20:80; "
-                  "may be repeated")
-      ->allow_extra_args(false);
-  command
-      .add_option("--run-column", run_columns,
-                  "A further column that varies between runs; may be repeated")
-      ->allow_extra_args(false);
-  command
-      .add_option("--noise-relative", noise_relative,
-                  "Standard deviation of a reading, as a share of the tension")
-      ->capture_default_str();
-  command
-      .add_option("--noise-absolute", noise_absolute,
-                  "Standard deviation of a reading in N, besides the relative one")
-      ->capture_default_str();
-  command
-      .add_option("--noise-motor", noise_motor,
-                  "Standard deviation of the measured motor tension, as a share of the true one")
-      ->capture_default_str();
-  const CLI::Range count(std::size_t{1}, max_planned_readings);
-  command.add_option("--runs", runs, "Number of runs; each is a mounting of its own")
-      ->check(count)
-      ->capture_default_str();
-  command.add_option("--rows", rows, "Number of conditions in each run")
-      ->check(count)
-      ->capture_default_str();
-  command.add_option("--repeats", repeats, "Number of readings at each condition")
-      ->check(count)
-      ->capture_default_str();
+  add("--grasps", grasps,
+      "Grasps: single (none held, and each finger held alone), all, or held fingers such as "
+      "none/1/2");
+  add("--directions", directions, "pull, release, or pull,release");
+  add("--channels", channels, "Segments with a sensor: strands, all, or names such as T1,T3,a");
+  add("--motor-tension", motor_tension, "Motor tensions in N: a range 5:60 or a list 5,10,20");
+  speed.add(command, "--speed", "Speeds in mm/s: a range or a list (default: no such column)");
+  cycles.add(command, "--cycles",
+             "Cycle numbers, rising over the experiment: a range or a list (default: no such "
+             "column)");
+  temperature.add(command, "--temperature",
+                  "Temperatures in C: a range or a list (default: no such column)");
+  sheath_angle.add(
+      command, "--sheath-angle",
+      "Wrap angles of all sheaths in rad: a range or a list (default: the hardware's)");
+  add_list("--column", columns,
+           "A further column that varies between readings, such as humidity_pct=20:80; may be "
+           "repeated");
+  add_list("--run-column", run_columns,
+           "A further column that varies between runs; may be repeated");
+  add("--noise-relative", noise_relative,
+      "Standard deviation of a reading, as a share of the tension");
+  add("--noise-absolute", noise_absolute,
+      "Standard deviation of a reading in N, besides the relative one");
+  add("--noise-motor", noise_motor,
+      "Standard deviation of the measured motor tension, as a share of the true one");
+  add("--runs", runs, "Number of runs; each is a mounting of its own")->check(count);
+  add("--rows", rows, "Number of conditions in each run")->check(count);
+  add("--repeats", repeats, "Number of readings at each condition")->check(count);
 }
 
 ExperimentPlan ExperimentFlags::read_plan(const Catalogue& catalogue) const {
-  constexpr Range any_temperature{-273.15, 1e4};
+  const auto levels_of = [](const TextOption& levels, Range range) {
+    return levels.is_given()
+               ? std::optional(read_levels(levels.option->get_name(), levels.text, range))
+               : std::nullopt;
+  };
   ExperimentPlan plan;
   plan.routings = read_routings(*this, catalogue);
   plan.directions = read_directions(directions);
   plan.channels = read_channels(channels, plan.routings);
   plan.motor_tension_N = read_levels("--motor-tension", motor_tension, {0, 1e6});
-  if (speed_->count() > 0) plan.speed_mm_s = read_levels("--speed", speed, {1e-3, 1e6});
-  if (cycles_->count() > 0) plan.cycle = read_levels("--cycles", cycles, {0, 1e9});
-  if (temperature_->count() > 0) {
-    plan.temperature_C = read_levels("--temperature", temperature, any_temperature);
-  }
-  if (sheath_angle_->count() > 0) {
-    plan.sheath_angle_rad = read_levels("--sheath-angle", sheath_angle, {0, 100});
-  }
+  plan.speed_mm_s = levels_of(speed, {1e-3, 1e6});
+  plan.cycle = levels_of(cycles, {0, 1e9});
+  plan.temperature_C = levels_of(temperature, {-273.15, 1e4});
+  plan.sheath_angle_rad = levels_of(sheath_angle, {0, 100});
   plan.columns = read_columns(*this);
   plan.runs = runs;
   plan.rows = rows;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
+#include "cli/outputs.hpp"
 #include "diagnosis/plan/experiment.hpp"
 #include "diagnosis/plan/simulation.hpp"
 
@@ -18,10 +19,10 @@ struct ExperimentFlags {
   std::string directions = "pull";
   std::string channels = "strands";
   std::string motor_tension = "5:60";
-  std::string speed;
-  std::string cycles;
-  std::string temperature;
-  std::string sheath_angle;
+  TextOption speed;
+  TextOption cycles;
+  TextOption temperature;
+  TextOption sheath_angle;
   std::vector<std::string> columns;
   std::vector<std::string> run_columns;
   std::string noise_relative = "0.02";
@@ -35,12 +36,6 @@ struct ExperimentFlags {
   // Both throw InputError that names option, value and what was expected.
   ExperimentPlan read_plan(const Catalogue& catalogue) const;
   AddedNoise read_noise() const;
-
- private:
-  CLI::Option* speed_ = nullptr;
-  CLI::Option* cycles_ = nullptr;
-  CLI::Option* temperature_ = nullptr;
-  CLI::Option* sheath_angle_ = nullptr;
 };
 
 }  // namespace reeve::cli

@@ -4,9 +4,9 @@
 
 #include <chrono>
 
-#include "cli/choice.hpp"
 #include "cli/command_line.hpp"
 #include "cli/hand_inputs.hpp"
+#include "cli/inputs.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "reports/exploration/store_description.hpp"
@@ -45,36 +45,28 @@ ParsedExplore::ParsedExplore(const std::vector<std::string>& arguments, const st
 
 void StoreFlags::add_to(CLI::App& command) {
   constexpr int a_day = 86400;
-  option_ =
-      command.add_option("--store", file_,
-                         "SQLite file that keeps the exploration, and from which it continues; see "
-                         "docs/store.md");
-  command
-      .add_option("--store-every", seconds_,
-                  "Seconds between two writes of the store; 0: after every batch")
-      ->needs(option_)
-      ->check(CLI::Range(0, a_day))
-      ->capture_default_str();
-  keep_given_ =
-      command
-          .add_option("--keep", keep_,
-                      "Designs in the store: best (those that are listed), or all, which rank "
-                      "--store can rank anew")
-          ->needs(option_)
-          ->check(one_of({"best", "all"}))
-          ->capture_default_str();
-}
-
-void StoreFlags::list_in(std::vector<InputFile>& inputs) const {
-  if (is_given()) inputs.push_back({file_, "the store"});
+  file_.add(command, "--store",
+            "SQLite file that keeps the exploration, and from which it continues; see "
+            "docs/store.md");
+  add_with_default(command, "--store-every", seconds_,
+                   "Seconds between two writes of the store; 0: after every batch")
+      ->needs(file_.option)
+      ->check(CLI::Range(0, a_day));
+  keep_
+      .add(
+          command, "--keep",
+          "Designs in the store: best (those that are listed), or all, which rank --store can rank "
+          "anew")
+      ->needs(file_.option)
+      ->check(one_of({"best", "all"}));
 }
 
 void StoreFlags::open(std::optional<ExplorationStore>& store, const ExploreReport& planned,
                       const std::vector<std::string>& arguments) const {
   std::optional<Keep> keep;
-  if (keep_given_->count() > 0) keep = keep_ == "all" ? Keep::all : Keep::best;
+  if (keep_.is_given()) keep = keep_.text == "all" ? Keep::all : Keep::best;
   for_option("--store", [&] {
-    store.emplace(file_, store_description(planned, arguments), planned.options.shard, keep);
+    store.emplace(file_.text, store_description(planned, arguments), planned.options.shard, keep);
   });
 }
 
@@ -103,7 +95,7 @@ InputError too_many_motors(const GeneratorOptions& options) {
 
 ExploreOptions ExploreFlags::read(const Model& with, const Catalogue& catalogue) const {
   ExploreOptions options;
-  const AskedParts asked = generator.read(target_given->count() > 0);
+  const AskedParts asked = generator.read(target.is_given());
   options.generator = asked.generator;
   options.left_out = asked.left_out;
   // Says early, before anything is written, if there are too many to count.
@@ -119,8 +111,8 @@ ExploreOptions ExploreFlags::read(const Model& with, const Catalogue& catalogue)
   require_no_springs(with.hardware,
                      "none: a tendon's number belongs to one routing (show, rank, size)");
   require_known_fingers(with.hardware, options.generator.fingers);
-  options.shard = for_name("--", [&] { return parse_shard(shard); });
-  options.keeps_record = shard_given->count() > 0;
+  options.shard = for_name("--", [&] { return parse_shard(shard.text); });
+  options.keeps_record = shard.is_given();
   options.model = with;
   options.grasps = ranking.read_grasps(options.generator.fingers, options.generator.parts.motors);
   options.order = ranking.read_order();
@@ -152,15 +144,15 @@ UncertaintyOptions ExploreFlags::read_uncertainty(const ModelFile& file,
 
 std::optional<SizingOptions> ExploreFlags::read_target(const ModelFile& file,
                                                        const ExploreOptions& options) const {
-  if (target_given->count() == 0) return std::nullopt;
+  if (!target.is_given()) return std::nullopt;
   const int fingers = options.generator.fingers;
   SizingOptions sizing;
   sizing.nominal = file.model;
   sizing.ranges = file.uncertainty;
   sizing.grasps = options.grasps;
   sizing.score = options.score;
-  sizing.goal = for_name("--", [&] { return parse_target(target, fingers); });
-  if (!ranking.has_grasps()) sizing.target_grasps = parse_grasps("none", fingers);
+  sizing.goal = for_name("--", [&] { return parse_target(target.text, fingers); });
+  if (!ranking.grasps.is_given()) sizing.target_grasps = parse_grasps("none", fingers);
   read_vary(file.vary, sizing);
   if (sizing.varied.empty()) sizing.varied = usual_ranges(file.model.hardware);
   sizing.robust = false;
@@ -180,30 +172,24 @@ void ExploreFlags::add_to(CLI::App& command) {
       .add_option("--constraint", constraints,
                   "Keep only designs that meet this, such as 'sheaths<=2'; may be repeated")
       ->allow_extra_args(false);
-  target_given =
-      command.add_option("--target", target,
-                         "Find designs nearest to this ratio of pulls, 1=2,others=1; implies "
-                         "--distinct-fingers");
-  shard_given =
-      command
-          .add_option("--shard", shard,
-                      "i/N: only the i-th of N parts of the exploration; reeve merge joins them")
-          ->excludes(target_given)
-          ->capture_default_str();
-  command
-      .add_option("--top", top, "Number of best designs to list; the Pareto front is always kept")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
-      ->capture_default_str();
+  target.add(command, "--target",
+             "Find designs nearest to this ratio of pulls, 1=2,others=1; implies "
+             "--distinct-fingers");
+  shard
+      .add(command, "--shard",
+           "i/N: only the i-th of N parts of the exploration; reeve merge joins them")
+      ->excludes(target.option);
+  add_with_default(command, "--top", top,
+                   "Number of best designs to list; the Pareto front is always kept")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}));
   command
       .add_option("--details", details,
                   "Best designs that the page draws in all grasps (default: up to 170 "
                   "schematics)")
       ->check(CLI::Range(std::size_t{0}, std::size_t{100000}));
-  command
-      .add_option("--out", out,
-                  "Folder for the page (index.html), the tables (CSV), summary.json and "
-                  "figures/")
-      ->capture_default_str();
+  add_with_default(command, "--out", out,
+                   "Folder for the page (index.html), the tables (CSV), summary.json and "
+                   "figures/");
   model.add_with_friction_to(command);
   tables.add_to(command, "the list of the best");
   format.add_to(command, with_tables({"json"}));

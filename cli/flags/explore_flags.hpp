@@ -26,9 +26,9 @@ namespace reeve::cli {
 class StoreFlags {
  public:
   void add_to(CLI::App& command);
-  bool is_given() const { return option_->count() > 0; }
-  void list_in(std::vector<InputFile>& inputs) const;
-  bool asks_for_all() const { return is_given() && keep_ == "all"; }
+  bool is_given() const { return file_.is_given(); }
+  void list_in(std::vector<InputFile>& inputs) const { file_.list_in(inputs, "the store"); }
+  bool asks_for_all() const { return is_given() && keep_.text == "all"; }
 
   // Opens the store of the planned exploration. Throws InputError.
   void open(std::optional<ExplorationStore>& store, const ExploreReport& planned,
@@ -36,11 +36,9 @@ class StoreFlags {
   Checkpoint checkpoint(ExplorationStore& store) const;
 
  private:
-  std::string file_;
+  TextOption file_;
   int seconds_ = 60;
-  std::string keep_ = "best";
-  CLI::Option* option_ = nullptr;
-  CLI::Option* keep_given_ = nullptr;
+  TextOption keep_{"best"};
 };
 
 struct ExploreFlags {
@@ -58,10 +56,8 @@ struct ExploreFlags {
   SweepFlags sweep;
   StoreFlags store;
   std::vector<std::string> constraints;
-  std::string target;
-  CLI::Option* target_given = nullptr;
-  std::string shard = "1/1";
-  CLI::Option* shard_given = nullptr;
+  TextOption target;
+  TextOption shard{"1/1"};
   std::size_t top = 1000;
   std::optional<std::size_t> details;
   std::string out = "out/explore";

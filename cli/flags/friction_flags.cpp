@@ -1,14 +1,15 @@
 #include "cli/flags/friction_flags.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <memory>
 #include <string_view>
 #include <utility>
 
-#include "cli/choice.hpp"
 #include "cli/inputs.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -54,10 +55,7 @@ void FrictionFlags::add_to(CLI::App& command) {
 }
 
 bool FrictionFlags::is_given() const {
-  for (const CLI::Option* option : options_) {
-    if (option->count() > 0) return true;
-  }
-  return false;
+  return std::ranges::any_of(options_, [](const auto* option) { return option->count() > 0; });
 }
 
 void FrictionFlags::exclude(CLI::Option& model) {
@@ -79,13 +77,11 @@ void FrictionFlags::apply(Hardware& hardware) const {
 }
 
 std::string FrictionFlags::given() const {
-  std::string text;
+  std::vector<std::string> texts;
   for (const CLI::Option* option : options_) {
-    if (option->count() == 0) continue;
-    text += fmt::format("{}{} {}", text.empty() ? "" : " ", option->get_name(),
-                        option->results().front());
+    if (option->count() > 0) texts.push_back(option->get_name() + " " + option->results().front());
   }
-  return text;
+  return fmt::format("{}", fmt::join(texts, " "));
 }
 
 }  // namespace reeve::cli

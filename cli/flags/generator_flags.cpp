@@ -2,27 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
-#include "cli/choice.hpp"
 #include "cli/inputs.hpp"
+#include "reports/exploration/part_words.hpp"
 
 namespace reeve::cli {
 
 void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
-  command.add_option("--fingers", fingers, "Number of fingers")
-      ->check(CLI::Range(1, max_fingers))
-      ->capture_default_str();
-  parts_ = command
-               .add_option("--parts", parts,
-                           "Set of parts; all: full, --anchored and --blocks 1; field: all with "
-                           "more blocks")
-               ->check(one_of({"paper", "full", "all", "field"}))
-               ->capture_default_str();
-  tips_ =
-      command.add_option("--tips", tips, "Kinds of fingertips in place of the set's: tube,bearing");
-  joins_ = command.add_option("--joins", joins, "Kinds of joins in place of the set's: T,B,P");
-  ends_ = command.add_option("--ends", ends, "Kinds of ends in place of the set's: M,F");
+  add_with_default(command, "--fingers", fingers, "Number of fingers")
+      ->check(CLI::Range(1, max_fingers));
+  parts_ = add_with_default(command, "--parts", parts,
+                            "Set of parts; all: full, --anchored and --blocks 1; field: all with "
+                            "more blocks")
+               ->check(one_of({"paper", "full", "all", "field"}));
+  tips.add(command, "--tips", "Kinds of fingertips in place of the set's: tube,bearing");
+  joins.add(command, "--joins", "Kinds of joins in place of the set's: T,B,P");
+  ends.add(command, "--ends", "Kinds of ends in place of the set's: M,F");
   command.add_flag("--anchored", anchored,
                    "Also tendons that are tied at a fingertip, such as M-1x");
   blocks_ =
@@ -33,29 +31,25 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
           ->check(CLI::Range(0, max_generated_blocks));
   command.add_option("--beside-ends", beside,
                      "Joins that may stand beside an end or a block's tail, such as P in F-P-1x");
-  command.add_flag("--linked", linked,
+  command.add_flag("--linked", switches.linked,
                    "Also blocks tied tail to tail, such as Y1-Y2+1x-Y1-2x+M-Y2-3x");
-  command.add_flag("--series", series,
+  command.add_flag("--series", switches.series,
                    "Also blocks in series on one tendon, such as M-Y1-Y2-M+Y1-1x+Y2-2x");
-  command.add_flag("--bars", bars,
+  command.add_flag("--bars", switches.bars,
                    "Also rigid bars in place of blocks, such as M-W1+1x-W1/1:2-Y1+2x-Y1-3x");
-  command.add_flag("--beckets", beckets,
+  command.add_flag("--beckets", switches.beckets,
                    "Also tendons tied to the block that they pass, such as M-Y1+Y1k-1-Y1-2x");
-  command.add_flag("--double-passes", double_passes,
+  command.add_flag("--double-passes", switches.double_passes,
                    "Also tendons that pass their block twice, such as M-Y1+1x-Y1-2-Y1-3x");
-  command
-      .add_option("--motors", motors,
-                  "Number of motors, each of which pulls a tendon, such as 2 in M-1-M2")
-      ->check(CLI::Range(1, max_carriages))
-      ->capture_default_str();
+  add_with_default(command, "--motors", motors,
+                   "Number of motors, each of which pulls a tendon, such as 2 in M-1-M2")
+      ->check(CLI::Range(1, max_carriages));
   command.add_flag("--distinct-fingers", distinct,
                    "Tell fingers, and motors, apart: M-1-P-2-F and M-2-P-1-F are two routings");
   if (!with_tendons) return;
-  command
-      .add_option("--tendons", tendons,
-                  "Number of tendons; those that blocks join to a tree count as one")
-      ->check(one_of({"one", "any"}))
-      ->capture_default_str();
+  add_with_default(command, "--tendons", tendons,
+                   "Number of tendons; those that blocks join to a tree count as one")
+      ->check(one_of({"one", "any"}));
 }
 
 GeneratorOptions GeneratorFlags::read_parts() const {
@@ -63,16 +57,12 @@ GeneratorOptions GeneratorFlags::read_parts() const {
   options.parts = parts == "paper" ? paper_parts() : parts == "all" ? all_parts() : full_parts();
   options.parts.motors = motors;
   if (anchored) options.parts.anchored = true;
-  options.parts.linked = linked;
-  options.parts.series = series;
-  options.parts.bars = bars;
-  options.parts.beckets = beckets;
-  options.parts.double_passes = double_passes;
+  for (const PartSwitch& part : part_switches) options.parts.*part.is_in = switches.*part.is_in;
   if (blocks_->count() > 0) options.parts.blocks = blocks;
   for_name("--", [&] {
-    if (tips_->count() > 0) options.parts.tips = parse_tips(tips);
-    if (joins_->count() > 0) options.parts.joins = parse_joins(joins);
-    if (ends_->count() > 0) options.parts.ends = parse_ends(ends);
+    if (tips.is_given()) options.parts.tips = parse_tips(tips.text);
+    if (joins.is_given()) options.parts.joins = parse_joins(joins.text);
+    if (ends.is_given()) options.parts.ends = parse_ends(ends.text);
     options.parts.beside = parse_joins(beside, "beside-ends");
     validate(options.parts);
   });
@@ -84,16 +74,13 @@ namespace {
 // Without these blocks a routing has none of what such a switch asks for. `from` says what their
 // number comes from.
 void require_blocks(const PartSet& parts, const std::string& from) {
-  const auto require = [&](const char* name, bool is_asked, int least) {
-    if (!is_asked || parts.blocks >= least) return;
-    throw InputError({.what = fmt::format("{} with {}", name, from),
-                      .expected = fmt::format("--blocks {} at least", least)});
-  };
-  require("--linked", parts.linked, 2);
-  require("--series", parts.series, 2);
-  require("--bars", parts.bars, 1);
-  require("--beckets", parts.beckets, 1);
-  require("--double-passes", parts.double_passes, 1);
+  for (const PartSwitch& part : part_switches) {
+    if (!(parts.*part.is_in) || parts.blocks >= part.least_blocks) continue;
+    std::string option = std::string("--") + part.name;
+    std::ranges::replace(option, '_', '-');
+    throw InputError({.what = fmt::format("{} with {}", option, from),
+                      .expected = fmt::format("--blocks {} at least", part.least_blocks)});
+  }
 }
 
 }  // namespace

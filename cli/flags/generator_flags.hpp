@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/outputs.hpp"
 #include "search/enumerate/field_parts.hpp"
 #include "search/enumerate/generator.hpp"
 
@@ -20,18 +21,14 @@ struct AskedParts {
 struct GeneratorFlags {
   int fingers = 2;
   std::string parts = "field";
-  std::string tips;
-  std::string joins;
-  std::string ends;
+  TextOption tips;
+  TextOption joins;
+  TextOption ends;
   bool anchored = false;
   int blocks = 0;
   int motors = 1;
   std::string beside;
-  bool linked = false;
-  bool series = false;
-  bool bars = false;
-  bool beckets = false;
-  bool double_passes = false;
+  PartSet switches;  // only what part_switches has of it
   std::string tendons = "any";
   bool distinct = false;
 
@@ -45,9 +42,6 @@ struct GeneratorFlags {
   AskedParts read_whole(bool tells_apart) const;
 
   CLI::Option* parts_ = nullptr;
-  CLI::Option* tips_ = nullptr;
-  CLI::Option* joins_ = nullptr;
-  CLI::Option* ends_ = nullptr;
   CLI::Option* blocks_ = nullptr;
 };
 

@@ -29,54 +29,42 @@ GraspSet grasps_of(const std::string& text, const std::vector<Routing>& routings
 }
 
 void RankingFlags::add_to(CLI::App& command) {
-  grasps_given_ =
-      command
-          .add_option("--grasps", grasps,
-                      "Grasps: single (none, and each finger held), all, paper, or a list such as "
-                      "none:2/1/1,2:0.5")
-          ->capture_default_str();
-  objectives_given_ =
-      command
-          .add_option("--objectives", objectives,
-                      "Objectives of the Pareto front, with commas; docs/model.md lists them")
-          ->capture_default_str();
-  score_given_ =
-      command
-          .add_option("--score", score,
-                      "Order by a weighted mean of objectives, such as uniformity=2,jams=1; "
-                      "authors: the five indicators")
-          ->default_str("authors");
+  grasps.add(command, "--grasps",
+             "Grasps: single (none, and each finger held), all, paper, or a list such as "
+             "none:2/1/1,2:0.5");
+  objectives.add(command, "--objectives",
+                 "Objectives of the Pareto front, with commas; docs/model.md lists them");
+  score.add(
+      command, "--score",
+      "Order by a weighted mean of objectives, such as uniformity=2,jams=1; authors: the five "
+      "indicators");
   CLI::Option* drawn =
       command.add_flag("--uncertainty", uncertainty,
                        "Draw the friction coefficients from their ranges; give objectives and "
                        "places as distributions");
-  command.add_option("--draws", draws, "Number of draws for --uncertainty")
+  add_with_default(command, "--draws", draws, "Number of draws for --uncertainty")
       ->needs(drawn)
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
-      ->capture_default_str();
-  command.add_option("--seed", seed, "Seed of the draws")
-      ->needs(drawn)
-      ->check(is_seed)
-      ->capture_default_str();
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}));
+  add_with_default(command, "--seed", seed, "Seed of the draws")->needs(drawn)->check(is_seed);
   add_threads(command, threads);
 }
 
 Score RankingFlags::read_score() const {
-  return for_name("--", [&] { return parse_score(score); });
+  return for_name("--", [&] { return parse_score(score.text); });
 }
 
 Order RankingFlags::read_order() const {
-  const bool by_score = score_given_->count() > 0;
-  if (by_score && objectives_given_->count() == 0) return {{Objective::score}, true};
-  return {for_name("--", [&] { return parse_objectives(objectives); }), by_score};
+  const bool by_score = score.is_given();
+  if (by_score && !objectives.is_given()) return {{Objective::score}, true};
+  return {for_name("--", [&] { return parse_objectives(objectives.text); }), by_score};
 }
 
 GraspSet RankingFlags::read_grasps(int fingers, int motors) const {
-  return for_name("--", [&] { return parse_grasps(grasps, fingers, motors); });
+  return for_name("--", [&] { return parse_grasps(grasps.text, fingers, motors); });
 }
 
 GraspSet RankingFlags::read_grasps(const std::vector<Routing>& routings) const {
-  return for_name("--", [&] { return grasps_of(grasps, routings); });
+  return for_name("--", [&] { return grasps_of(grasps.text, routings); });
 }
 
 }  // namespace reeve::cli

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/outputs.hpp"
 #include "core/grasp.hpp"
 #include "core/routing.hpp"
 #include "search/evaluate/score.hpp"
@@ -19,9 +20,9 @@ namespace reeve::cli {
 GraspSet grasps_of(const std::string& text, const std::vector<Routing>& routings);
 
 struct RankingFlags {
-  std::string grasps = "single";
-  std::string objectives = "uniformity,efficiency";
-  std::string score = "authors";
+  TextOption grasps{"single"};
+  TextOption objectives{"uniformity,efficiency"};
+  TextOption score{"authors"};
   bool uncertainty = false;
   std::size_t draws = 1000;
   std::uint64_t seed = 1;
@@ -30,15 +31,9 @@ struct RankingFlags {
   void add_to(CLI::App& command);
   GraspSet read_grasps(int fingers, int motors) const;
   GraspSet read_grasps(const std::vector<Routing>& routings) const;
-  bool has_grasps() const { return grasps_given_->count() > 0; }
   Score read_score() const;
   // The order is by the score alone if it is given and the objectives are not.
   Order read_order() const;
-
- private:
-  CLI::Option* grasps_given_ = nullptr;
-  CLI::Option* objectives_given_ = nullptr;
-  CLI::Option* score_given_ = nullptr;
 };
 
 }  // namespace reeve::cli

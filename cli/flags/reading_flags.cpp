@@ -24,9 +24,9 @@ void ReadingFlags::add_columns_to(CLI::App& command, CLI::Option* data) {
 
 void ReadingFlags::add_to(CLI::App& command, CLI::Option* data) {
   add_columns_to(command, data);
-  group_given_ = command.add_option(
-      "--group", group_, "A column whose texts group the rows, such as a winch or an operator");
-  if (data != nullptr) group_given_->needs(data);
+  group_.add(command, "--group",
+             "A column whose texts group the rows, such as a winch or an operator");
+  if (data != nullptr) group_.option->needs(data);
 }
 
 void ReadingFlags::add_noise_to(CLI::App& command) {
@@ -61,7 +61,7 @@ ReadingOptions ReadingFlags::options() const {
     result.noise.push_back(for_option("--noise", [&] { return parse_column_noise(text); }));
   }
   for (const std::string& column : exact_) result.noise.push_back({column, {}});
-  if (group_given_ != nullptr && group_given_->count() > 0) result.group = group_;
+  if (group_.is_given()) result.group = group_.text;
   return result;
 }
 

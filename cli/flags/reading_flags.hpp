@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "catalog/catalogue.hpp"
+#include "cli/outputs.hpp"
 #include "readings/measured_data.hpp"
 
 namespace reeve::cli {
@@ -26,8 +27,7 @@ struct ReadingFlags {
   std::vector<std::string> units_;
   std::vector<std::string> noise_;
   std::vector<std::string> exact_;
-  std::string group_;
-  CLI::Option* group_given_ = nullptr;
+  TextOption group_;
 };
 
 }  // namespace reeve::cli

@@ -45,52 +45,51 @@ bool is_table(const FormatOption& format) {
 }  // namespace
 
 void TableFlags::add_to(CLI::App& command, const std::string& list) {
-  columns_given_ = command.add_option(
-      "--columns", columns,
+  columns.add(
+      command, "--columns",
       "Columns of " + list + ", in this order, such as name,routing; prints no other table");
-  width_given_ = command.add_option(
-      "--text-width", text_width,
-      "Greatest width of tables in characters; with --format latex a length such "
-      "as 88mm");
+  text_width.add(
+      command, "--text-width",
+      "Greatest width of tables in characters; with --format latex a length such as 88mm");
 }
 
 ListColumns TableFlags::read_columns(const FormatOption& format,
                                      const std::vector<std::string>& known,
                                      const std::vector<MissingColumns>& missing) const {
   ListColumns wanted{{}, format.is("latex")};
-  if (columns_given_->count() == 0) return wanted;
+  if (!columns.is_given()) return wanted;
   if (!is_table(format)) {
-    throw InputError({.where = "--columns '" + columns + "'",
+    throw InputError({.where = "--columns '" + columns.text + "'",
                       .what = "--format " + format.format + " has every column",
                       .expected = "--format table, markdown or latex with it",
                       .form = InputForm::unknown});
   }
-  if (columns.find_first_not_of(", \t") == std::string::npos) {
+  if (columns.text.find_first_not_of(", \t") == std::string::npos) {
     throw InputError(
         {.what = "--columns",
-         .value = columns,
+         .value = columns.text,
          .expected = fmt::format("names of columns with commas between them, any of {}",
                                  fmt::join(known, ", "))});
   }
-  wanted.chosen = for_name("--", [&] { return parse_columns(columns, known, missing); });
+  wanted.chosen = for_name("--", [&] { return parse_columns(columns.text, known, missing); });
   return wanted;
 }
 
 double TableFlags::read_width(const FormatOption& format) const {
-  if (width_given_->count() == 0) return 0;
+  if (!text_width.is_given()) return 0;
   constexpr double least_pt = 20 * pt_in_mm;
   constexpr double most_pt = 2000 * pt_in_mm;
   const auto fail = [&](const std::string& expected) -> double {
-    throw InputError({.what = "--text-width", .value = text_width, .expected = expected});
+    throw InputError({.what = "--text-width", .value = text_width.text, .expected = expected});
   };
   if (format.is("latex")) {
-    const auto length = length_pt(text_width);
+    const auto length = length_pt(text_width.text);
     return length && *length >= least_pt && *length <= most_pt
                ? *length
                : fail("a length from 20mm to 2000mm with its unit, mm, cm, in or pt, such as 88mm");
   }
   if (!format.is("table")) return fail("--format table or latex with it");
-  const auto characters = positive_number(text_width);
+  const auto characters = positive_number(text_width.text);
   const bool whole = characters && *characters == static_cast<int>(*characters);
   return whole && *characters >= 20 && *characters <= 1000
              ? *characters
@@ -111,7 +110,7 @@ std::string TableFlags::printed(const Document& document, const FormatOption& fo
     std::cerr << fmt::format(
         "reeve: a table is wider than --text-width '{}': it takes {:.0f}mm; fewer --columns take "
         "less\n",
-        text_width, std::ceil(least_width_pt(document) / pt_in_mm));
+        text_width.text, std::ceil(least_width_pt(document) / pt_in_mm));
   }
   return cli::printed(document, format, width);
 }

@@ -14,8 +14,8 @@
 namespace reeve::cli {
 
 struct TableFlags {
-  std::string columns;
-  std::string text_width;
+  TextOption columns;
+  TextOption text_width;
 
   void add_to(CLI::App& command, const std::string& list);
 
@@ -33,9 +33,6 @@ struct TableFlags {
  private:
   // Returns the width in columns of text with --format table, in pt with latex; 0: any.
   double read_width(const FormatOption& format) const;
-
-  CLI::Option* columns_given_ = nullptr;
-  CLI::Option* width_given_ = nullptr;
 };
 
 }  // namespace reeve::cli

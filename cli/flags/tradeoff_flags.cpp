@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "catalog/price_file.hpp"
-#include "cli/choice.hpp"
 #include "cli/inputs.hpp"
 #include "core/error.hpp"
 
@@ -24,40 +23,30 @@ bool counts_cost(const Score& score) {
 }  // namespace
 
 void TradeoffFlags::add_to(CLI::App& command) {
-  by_given_ = command
-                  .add_option("--tradeoff", by,
-                              "Best design for each number of these (cost if --cost is given)")
-                  ->check(one_of(tradeoff_measures()))
-                  ->capture_default_str();
-  command
-      .add_option("--within", within,
-                  "Name the design with fewest of --tradeoff that loses at most this in any "
-                  "ranked objective")
-      ->capture_default_str();
+  by.add(command, "--tradeoff", "Best design for each number of these (cost if --cost is given)")
+      ->check(one_of(tradeoff_measures()));
+  add_with_default(command, "--within", within,
+                   "Name the design with fewest of --tradeoff that loses at most this in any "
+                   "ranked objective");
   prices.add_to(command, "makes cost an objective");
 }
 
 TradeoffOptions TradeoffFlags::read() const {
   const bool priced = prices.is_given();
-  const std::string measure = priced && by_given_->count() == 0 ? "cost" : by;
+  const std::string measure = priced && !by.is_given() ? "cost" : by.text;
   if (measure == "cost" && !priced) fail_without_prices("--tradeoff", measure);
   return {parse_objective(measure, "--tradeoff"),
           for_name("--", [&] { return parse_within(within); })};
 }
 
 void PricesOption::add_to(CLI::App& command, const std::string& what) {
-  option_ = command.add_option("--cost", file_,
-                               "TOML file of prices, such as catalog/prices/example.toml; " + what);
+  add(command, "--cost", "TOML file of prices, such as catalog/prices/example.toml; " + what);
 }
 
 std::optional<PartPrices> PricesOption::read() const {
   if (!is_given()) return std::nullopt;
-  if (file_.empty()) throw InputError({.what = "--cost", .value = "", .expected = "a TOML file"});
-  return read_price_file(file_);
-}
-
-void PricesOption::list_in(std::vector<InputFile>& inputs) const {
-  if (is_given()) inputs.push_back({file_, "the prices"});
+  if (text.empty()) throw InputError({.what = "--cost", .value = "", .expected = "a TOML file"});
+  return read_price_file(text);
 }
 
 void TradeoffFlags::require_prices(const Order& order, const Score& score,
@@ -76,13 +65,12 @@ void TradeoffFlags::require_prices(const Order& order, const Score& score,
 }
 
 void SweepFlags::add_to(CLI::App& command, const std::string& designs) {
-  given_ = command.add_option(
-      "--sweep", text,
+  add(command, "--sweep",
       "Vary one coefficient, such as mu=0.02..0.3 or sheath_angle=3..9, and show " + designs);
 }
 
 std::optional<CoefficientRange> SweepFlags::read() const {
-  if (given_->count() == 0) return std::nullopt;
+  if (!is_given()) return std::nullopt;
   return for_name("--", [&] { return parse_sweep(text); });
 }
 

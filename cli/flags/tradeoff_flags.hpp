@@ -19,20 +19,14 @@
 namespace reeve::cli {
 
 // --cost
-struct PricesOption {
+struct PricesOption : TextOption {
   void add_to(CLI::App& command, const std::string& what);
-  bool is_given() const { return option_->count() > 0; }
   // Nothing if none are given. Throws InputError.
   std::optional<PartPrices> read() const;
-  void list_in(std::vector<InputFile>& inputs) const;
-
- private:
-  std::string file_;
-  CLI::Option* option_ = nullptr;
 };
 
 struct TradeoffFlags {
-  std::string by = "sheaths";
+  TextOption by{"sheaths"};
   std::string within = "2%";
   PricesOption prices;
 
@@ -43,20 +37,12 @@ struct TradeoffFlags {
   // Throws InputError if what was asked for counts the cost, and there are no prices.
   void require_prices(const Order& order, const Score& score,
                       const std::vector<Constraint>& constraints) const;
-
- private:
-  CLI::Option* by_given_ = nullptr;
 };
 
-struct SweepFlags {
-  std::string text;
-
+struct SweepFlags : TextOption {
   void add_to(CLI::App& command, const std::string& designs);
   // Nothing if it is not given. Throws InputError.
   std::optional<CoefficientRange> read() const;
-
- private:
-  CLI::Option* given_ = nullptr;
 };
 
 // Throws InputError where what is swept cannot be so. Does nothing without a range.

@@ -131,19 +131,11 @@ std::string cause_lines(const DiagnosisReport& report) {
                                 (lines - most_lines == 1 ? " explains" : " explain"));
 }
 
-std::string names_text(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
-  }
-  return text;
-}
-
 std::string indistinguishable_lines(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
   std::string text;
   for (const std::vector<std::string>& names : result.indistinguishable) {
-    text += fmt::format("Ambiguous: {} explains the data.\n", names_text(names));
+    text += fmt::format("Ambiguous: {} explains the data.\n", enumerated(names, " or "));
     for (const NamedCause& cause : result.causes) {
       if (cause.name != names.front()) continue;
       text += fmt::format("If it is the first: {}.{}\n", cause_sentence(cause),

@@ -52,10 +52,7 @@ const NamedCause* find_cause(const DiagnosisReport& report, std::string_view nam
 }  // namespace
 
 std::string contacts_text(const std::vector<ContactKind>& contacts) {
-  std::string text;
-  for (const ContactKind kind : contacts)
-    text += (text.empty() ? "" : ", ") + std::string(contact_kind_name(kind));
-  return text;
+  return joined(contacts, ", ", contact_kind_name);
 }
 
 Table share_error_table(const DiagnosisReport& report) {
@@ -226,17 +223,14 @@ std::vector<std::string> without_apart_sentences(const DiagnosisReport& report) 
   constexpr std::size_t most_named = 4;
   if (!report.result.without_apart) return {};
   const WithoutApart& without = *report.result.without_apart;
-  std::vector<std::string> places = places_text(report, without.left_out);
-  const std::size_t beyond = places.size() - std::min(places.size(), most_named);
-  places.resize(places.size() - beyond);
-  const std::string more = beyond > 0 ? fmt::format(" and {} more", beyond) : "";
-  std::string sizes;
+  std::vector<std::string> sizes;
   for (const NamedCause& cause : report.result.causes) {
-    const std::string text = refitted_text(without, cause);
-    if (!text.empty()) sizes += (sizes.empty() ? "" : "; ") + text;
+    std::string size = refitted_text(without, cause);
+    if (!size.empty()) sizes.push_back(std::move(size));
   }
-  std::string text =
-      fmt::format("Fitted to all readings but {}{}: {}", fmt::join(places, ", "), more, sizes);
+  std::string text = fmt::format(
+      "Fitted to all readings but {}: {}",
+      enumerated(places_text(report, without.left_out), ", ", most_named), fmt::join(sizes, "; "));
   if (without.share_error) {
     text += fmt::format("; the tension distribution is then off by {} on average",
                         percent(*without.share_error));

@@ -11,17 +11,10 @@ namespace {
 constexpr std::array all_kinds{Mounted::sheath, Mounted::tube, Mounted::bearing, Mounted::gain};
 
 const char* of_what(Mounted kind) {
-  switch (kind) {
-    case Mounted::sheath:
-      return "the sheaths' exponents";
-    case Mounted::tube:
-      return "the tubes' exponents";
-    case Mounted::bearing:
-      return "the bearings' exponents";
-    case Mounted::gain:
-      return "the channels' gains";
-  }
-  return "";
+  // In the order of Mounted.
+  constexpr std::array names{"the sheaths' exponents", "the tubes' exponents",
+                             "the bearings' exponents", "the channels' gains"};
+  return names.at(static_cast<std::size_t>(kind));
 }
 
 std::string percent_in(const MountingScatter& scatter, Mounted kind) {

@@ -6,7 +6,10 @@
 #include <cctype>
 #include <cmath>
 
+#include "catalog/model_file.hpp"
 #include "causes/term.hpp"
+#include "core/version.hpp"
+#include "readings/csv.hpp"
 #include "reports/data_text.hpp"
 #include "reports/law_words.hpp"
 
@@ -60,13 +63,11 @@ std::string parameter_text(const EstimatedParameter& parameter, const Effect& ef
 
 // "95 % intervals of a 0.1 to 0.2, of b 30 to 40"
 std::string intervals_text(const NamedCause& cause) {
-  std::string text = cause.parameters.size() == 1 ? "95 % interval" : "95 % intervals";
-  const char* comma = "";
-  for (const EstimatedParameter& parameter : cause.parameters) {
-    text += fmt::format("{} of {} {}", comma, parameter.name, interval_text(parameter));
-    comma = ",";
-  }
-  return text;
+  const auto of_one = [](const EstimatedParameter& parameter) {
+    return fmt::format("of {} {}", parameter.name, interval_text(parameter));
+  };
+  return fmt::format("95 % interval{} {}", cause.parameters.size() == 1 ? "" : "s",
+                     joined(cause.parameters, ", ", of_one));
 }
 
 }  // namespace
@@ -168,11 +169,10 @@ std::string lead_text(const Lead& lead) {
 }
 
 std::string leads_sentence(const DiagnosisReport& report) {
-  std::vector<std::string> texts;
-  for (const Lead& lead : report.result.leads) texts.push_back(lead_text(lead));
-  if (texts.empty()) return "";
-  return fmt::format("Strongest lead{}, not confirmed: {}.", texts.size() == 1 ? "" : "s",
-                     fmt::join(texts, "; "));
+  const std::vector<Lead>& leads = report.result.leads;
+  if (leads.empty()) return "";
+  return fmt::format("Strongest lead{}, not confirmed: {}.", leads.size() == 1 ? "" : "s",
+                     joined(leads, "; ", lead_text));
 }
 
 std::string gain_text(const HeldOut& held_out, std::size_t runs) {
@@ -271,6 +271,23 @@ std::string set_value(double value) { return fmt::format("{:.6g}", value); }
 std::string capitalised(std::string text) {
   if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;
+}
+
+std::string extended_model_toml(const DiagnosisReport& report,
+                                const UncertaintyRanges& uncertainty) {
+  const DiagnosisResult& result = report.result;
+  const Version build = version();
+  std::vector<std::string> lines{fmt::format("Extended by reeve {} from the readings in {}",
+                                             build.number, one_line(report.data.file))};
+  if (report.data.simulated) lines.push_back(fmt::format("The data are {}.", simulated_text));
+  lines.push_back(fmt::format("Verdict: {}", verdict_name(result.verdict)));
+  for (const NamedCause& cause : result.causes) {
+    lines.push_back(capitalised(cause_sentence(cause)));
+  }
+  for (const auto& names : result.indistinguishable) {
+    lines.push_back(fmt::format("The data cannot tell apart: {}", fmt::join(names, ", ")));
+  }
+  return model_toml(result.model, lines, uncertainty);
 }
 
 }  // namespace reeve::reports

@@ -52,19 +52,11 @@ std::string key(const TableColumn& column) {
 }
 
 Table with_columns(const Table& table, const std::vector<std::string>& keys) {
-  Table result;
-  result.chosen = true;
   std::vector<std::size_t> places;
-  for (const std::string& wanted : keys) {
-    places.push_back(column_of(table, wanted));
-    result.columns.push_back(table.columns[places.back()]);
-    result.columns.back().dispensable = 0;
-  }
-  for (const TableRow& row : table.rows) {
-    std::vector<std::string> cells;
-    for (const std::size_t place : places) cells.push_back(row.cells[place]);
-    result.add(std::move(cells), row.tint);
-  }
+  for (const std::string& wanted : keys) places.push_back(column_of(table, wanted));
+  Table result = columns_at(table, places);
+  result.chosen = true;
+  for (TableColumn& column : result.columns) column.dispensable = 0;
   return result;
 }
 

@@ -30,12 +30,33 @@ void Table::add(std::vector<std::string> cells, Tint tint) {
   rows.push_back({std::move(cells), tint});
 }
 
+Table columns_at(const Table& table, const std::vector<std::size_t>& places) {
+  Table result;
+  for (const std::size_t i : places) result.columns.push_back(table.columns[i]);
+  for (const TableRow& row : table.rows) {
+    std::vector<std::string> cells;
+    for (const std::size_t i : places) cells.push_back(row.cells[i]);
+    result.add(std::move(cells), row.tint);
+  }
+  return result;
+}
+
 void Document::add(Section section) {
   if (section.table || !section.lines.empty()) sections.push_back(std::move(section));
 }
 
 void Document::add_all(std::vector<Section> more) {
   for (Section& section : more) add(std::move(section));
+}
+
+std::string enumerated(const std::vector<std::string>& items, const char* before_last,
+                       std::size_t most) {
+  const std::size_t shown = std::min(most, items.size());
+  std::string text;
+  for (std::size_t i = 0; i < shown; ++i) {
+    text += (i == 0 ? "" : i + 1 == items.size() ? before_last : ", ") + items[i];
+  }
+  return shown == items.size() ? text : text + fmt::format(" and {} more", items.size() - shown);
 }
 
 void add_lines(std::vector<DocumentLine>& lines, const std::string& text) {

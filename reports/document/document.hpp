@@ -2,8 +2,12 @@
 // as Markdown or as LaTeX (document_latex.hpp).
 #pragma once
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -47,6 +51,9 @@ struct Table {
   void add(std::vector<std::string> cells, Tint tint = Tint::none);
 };
 
+// Returns the table of the columns at these places.
+Table columns_at(const Table& table, const std::vector<std::size_t>& places);
+
 struct DocumentLine {
   std::string text;
   bool caveat = false;  // whoever reads the tables must see it too
@@ -76,6 +83,13 @@ struct TextStyle {
 
 std::string text(const Document& document, const TextStyle& look = {});
 
+// In a narrow window dispensable columns of a table are left out, which a line below says; then
+// texts are wrapped; and what still finds no room follows below, with the first column again.
+std::string text(const Table& table, const TextStyle& look = {});
+
+// The line with the codes for its tint around it, if the look has colour.
+std::string inked(const std::string& line, Tint tint, const TextStyle& look);
+
 // Tables have pipes, as GitHub shows them.
 std::string markdown(const Document& document);
 
@@ -85,6 +99,18 @@ void append(std::vector<Item>& list, std::vector<Item> more) {
   list.insert(list.end(), std::make_move_iterator(more.begin()),
               std::make_move_iterator(more.end()));
 }
+
+// Joins the texts that `text_of` makes of the items.
+template <typename Items, typename TextOf>
+std::string joined(const Items& items, const char* between, TextOf text_of) {
+  std::vector<std::string> texts;
+  for (const auto& item : items) texts.emplace_back(std::invoke(text_of, item));
+  return fmt::format("{}", fmt::join(texts, between));
+}
+
+// "a, b and c", the first `most` of them: "a, b and 3 more".
+std::string enumerated(const std::vector<std::string>& items, const char* before_last = " and ",
+                       std::size_t most = static_cast<std::size_t>(-1));
 
 // Appends the lines of a text as lines.
 void add_lines(std::vector<DocumentLine>& lines, const std::string& text);

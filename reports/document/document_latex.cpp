@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "reports/document/chosen_columns.hpp"
+#include "reports/document/text_width.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -38,17 +39,6 @@ std::optional<std::size_t> decimals(const std::string& cell) {
 std::string digits_that_lack(std::size_t has, std::size_t most) {
   if (has == most) return "";
   return (has == 0 ? "." : "") + std::string(most - has, '0');
-}
-
-std::vector<std::string> words_of(const std::string& text) {
-  std::vector<std::string> words;
-  std::size_t begin = 0;
-  while (begin < text.size()) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    if (end > begin) words.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return words;
 }
 
 // In as many lines as it takes; a word alone may be wider.

@@ -63,15 +63,21 @@ std::string padded(const std::string& text, std::size_t width, bool is_text) {
   return is_text ? text + padding : padding + text;
 }
 
-std::vector<std::string> wrap_words(const std::string& text, std::size_t width) {
-  if (width == 0 || text_width(text) <= width) return {text};
-  WrappedLines lines(width);
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
   std::size_t begin = 0;
   while (begin < text.size()) {
     const std::size_t end = std::min(text.find(' ', begin), text.size());
-    if (end > begin) lines.add(text.substr(begin, end - begin));
+    if (end > begin) words.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
+  return words;
+}
+
+std::vector<std::string> wrap_words(const std::string& text, std::size_t width) {
+  if (width == 0 || text_width(text) <= width) return {text};
+  WrappedLines lines(width);
+  for (const std::string& word : words_of(text)) lines.add(word);
   return lines.take();
 }
 

@@ -23,10 +23,6 @@ std::string place_range(const RankDistribution& ranks) {
   return fixed(ranks.low, 0) + "–" + fixed(ranks.high, 0);
 }
 
-std::string short_name(const ListedDesign& design) {
-  return design.name.empty() ? design.ranked.design.word : design.name;
-}
-
 // Names the first shown design that meets the constraints in nearly all draws, unless it is the
 // best.
 std::string surest_text(const std::vector<ListedDesign>& shown) {
@@ -183,13 +179,7 @@ std::vector<DocumentLine> shared_first_lines(const std::vector<ListedDesign>& de
   }
   const bool drawn = !designs.empty() && designs.front().distribution.has_value();
   if (names.size() < 2 || (only_equivalent && !drawn)) return {};
-  std::string text = "Equal in all ranked objectives: " + names.front();
-  const std::size_t named = std::min(names.size(), sharers_named);
-  const std::size_t more = names.size() - named;
-  for (std::size_t i = 1; i < named; ++i) {
-    text += (i + 1 == names.size() ? " and " : ", ") + names[i];
-  }
-  if (more > 0) text += fmt::format(" and {} more", more);
+  std::string text = "Equal in all ranked objectives: " + enumerated(names, " and ", sharers_named);
   if (drawn) {
     text += fmt::format("; they share the first place in {} of the draws",
                         share_text(designs.front().distribution->first_shared));

@@ -11,7 +11,6 @@
 #include "reports/data_text.hpp"
 #include "reports/jam_words.hpp"
 #include "reports/motor_words.hpp"
-#include "reports/output/telling_digits.hpp"
 #include "reports/shown_value.hpp"
 
 namespace reeve::reports {
@@ -187,6 +186,10 @@ std::string design_name(const ListedDesign& design) {
   return design.name.empty() ? word : design.name + " (" + word + ")";
 }
 
+std::string short_name(const ListedDesign& design) {
+  return design.name.empty() ? design.ranked.design.word : design.name;
+}
+
 std::string objective_heading(Objective objective) {
   const ObjectiveRow& about = row(objective);
   return about.part == std::string_view("worst") ? std::string("worst ") + about.heading
@@ -249,15 +252,9 @@ std::vector<DocumentLine> equivalent_lines(const std::vector<ListedDesign>& show
   std::vector<DocumentLine> lines;
   for (const ListedDesign& design : shown) {
     if (design.equivalent.empty()) continue;
-    std::string text =
-        fmt::format("Equivalent variants of rank {}, with other bearings", design.ranked.rank);
-    for (std::size_t i = 0; i < std::min(named_at_most, design.equivalent.size()); ++i) {
-      text += (i == 0 ? ": " : ", ") + design.equivalent[i];
-    }
-    if (design.equivalent.size() > named_at_most) {
-      text += fmt::format(" and {} more", design.equivalent.size() - named_at_most);
-    }
-    lines.push_back({std::move(text)});
+    lines.push_back(
+        {fmt::format("Equivalent variants of rank {}, with other bearings: {}", design.ranked.rank,
+                     enumerated(design.equivalent, ", ", named_at_most))});
   }
   return lines;
 }

@@ -15,6 +15,8 @@ namespace reeve::reports {
 
 // "SoftHand (M-1b-…)", or the word alone.
 std::string design_name(const ListedDesign& design);
+// "SoftHand", or the word.
+std::string short_name(const ListedDesign& design);
 
 // "uniformity", "worst uniformity": a heading that stands alone.
 std::string objective_heading(Objective objective);

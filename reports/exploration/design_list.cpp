@@ -147,11 +147,9 @@ TableColumn objective_column(const ColumnRows& rows, bool apart, const std::stri
 }
 
 std::string objective_cell(const ColumnRows& rows, const ObjectiveValues& values) {
-  std::string cell;
-  for (const ColumnRow& of : rows) {
-    cell += (cell.empty() ? "" : "/") + fixed(value(values, of.row->objective), of.decimals);
-  }
-  return cell;
+  return joined(rows, "/", [&](const ColumnRow& of) {
+    return fixed(value(values, of.row->objective), of.decimals);
+  });
 }
 
 std::vector<TableColumn> columns(const std::vector<ColumnRows>& objectives, bool equivalent,

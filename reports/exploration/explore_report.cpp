@@ -5,19 +5,20 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/notation.hpp"
 #include "core/text.hpp"
 #include "reports/assumed_words.hpp"
 #include "reports/data_text.hpp"
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/design_list.hpp"
-#include "reports/exploration/exploration_id.hpp"
 #include "reports/exploration/part_words.hpp"
 #include "reports/exploration/sweep_report.hpp"
 #include "reports/exploration/target_report.hpp"
 #include "reports/exploration/tradeoff_report.hpp"
 #include "reports/model_text.hpp"
 #include "reports/motor_words.hpp"
+#include "reports/output/stamp.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 
 namespace reeve::reports {
@@ -304,6 +305,27 @@ Json explore_settings(const ExploreReport& report) {
   json["sweep"] = sweep_settings(report.sweep_over);
   json["target_shares"] = report.target_shares.empty() ? Json(nullptr) : Json(report.target_shares);
   return json;
+}
+
+std::string whole_exploration_id(const ExploreReport& report) {
+  Json asked = explore_settings(report);
+  asked["shard"] = "1/1";
+  // Counted on the way, not asked.
+  if (asked["model"].is_object()) asked["model"].erase("unconverged");
+  Json known = Json::array();
+  for (std::size_t i = 0; i < report.options.references.size(); ++i) {
+    known.push_back({report.reference_names[i], to_word(report.options.references[i])});
+  }
+  return hash_of({asked, known, version_json()});
+}
+
+std::string exploration_id(const ExploreReport& report) {
+  std::string whole = whole_exploration_id(report);
+  const Shard& shard = report.options.shard;
+  const ExploreResult& result = report.result;
+  if (shard.count == 1 && !result.partial && !report.draws_stopped) return whole;
+  return hash_of(
+      {whole, shard.index, shard.count, result.partial, result.generated, report.draws_stopped});
 }
 
 std::string explore_summary_json(const ExploreReport& report) {

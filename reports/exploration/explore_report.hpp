@@ -17,6 +17,14 @@ Document explore_document(const ExploreReport& report, const ListColumns& column
 std::string explore_summary_json(const ExploreReport& report);
 // Returns the settings of the request, as in the summary.
 Json explore_settings(const ExploreReport& report);
+
+// Id of an exploration: a hash of the request and of the program that answered. It is of the
+// settings as JSON, the version, the known routings with their names, and how far it came if it was
+// stopped.
+std::string exploration_id(const ExploreReport& report);
+// Returns the id of the whole exploration that this one is a shard of, or its own.
+std::string whole_exploration_id(const ExploreReport& report);
+
 // Returns notes on how the ranking came about; usually none.
 std::vector<std::string> notes(const ExploreReport& report);
 

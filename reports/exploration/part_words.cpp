@@ -35,11 +35,9 @@ std::string parts_text(const PartSet& parts) {
   if (parts.blocks > 0) text += "; up to " + blocks_text(parts.blocks);
   if (parts.motors > 1) text += fmt::format("; {} motors", parts.motors);
   if (!parts.beside.empty()) text += "; beside ends " + spaced_list(beside_text(parts));
-  if (parts.linked) text += "; linked blocks";
-  if (parts.series) text += "; blocks in series";
-  if (parts.bars) text += "; bars";
-  if (parts.beckets) text += "; beckets";
-  if (parts.double_passes) text += "; double passes";
+  for (const PartSwitch& part : part_switches) {
+    if (parts.*part.is_in) text += std::string("; ") + part.words;
+  }
   return text;
 }
 
@@ -69,11 +67,9 @@ Json parts_json(const PartSet& parts) {
             {"blocks", parts.blocks}};
   if (parts.motors > 1) json["motors"] = parts.motors;
   if (!parts.beside.empty()) json["beside_ends"] = beside_text(parts);
-  if (parts.linked) json["linked"] = true;
-  if (parts.series) json["series"] = true;
-  if (parts.bars) json["bars"] = true;
-  if (parts.beckets) json["beckets"] = true;
-  if (parts.double_passes) json["double_passes"] = true;
+  for (const PartSwitch& part : part_switches) {
+    if (parts.*part.is_in) json[part.name] = true;
+  }
   return json;
 }
 

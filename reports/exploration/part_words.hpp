@@ -2,6 +2,7 @@
 // many routings they make.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,20 @@
 #include "search/limits/limited_generator.hpp"
 
 namespace reeve::reports {
+
+// Parts that a set has or has not, beyond tips, joins, ends, anchors and blocks.
+struct PartSwitch {
+  bool PartSet::*is_in;
+  const char* name;   // in JSON, and with dashes among the options
+  const char* words;  // "linked blocks"
+  int least_blocks;   // without so many blocks there is none of it
+};
+inline constexpr std::array part_switches{
+    PartSwitch{&PartSet::linked, "linked", "linked blocks", 2},
+    PartSwitch{&PartSet::series, "series", "blocks in series", 2},
+    PartSwitch{&PartSet::bars, "bars", "bars", 1},
+    PartSwitch{&PartSet::beckets, "beckets", "beckets", 1},
+    PartSwitch{&PartSet::double_passes, "double_passes", "double passes", 1}};
 
 // "tips tube; joins T, P; ends M, F; up to 2 floating blocks"
 std::string parts_text(const PartSet& parts);

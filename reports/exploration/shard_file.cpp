@@ -7,7 +7,6 @@
 #include <map>
 
 #include "core/error.hpp"
-#include "reports/exploration/exploration_id.hpp"
 #include "reports/exploration/explore_report.hpp"
 #include "reports/output/stamp.hpp"
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "reports/exploration/exploration_id.hpp"
 #include "reports/exploration/explore_report.hpp"
 #include "reports/output/json.hpp"
 

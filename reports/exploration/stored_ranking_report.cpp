@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <vector>
 
 #include "reports/exploration/decision_words.hpp"
@@ -18,17 +19,13 @@ namespace {
 constexpr std::size_t most_lines = 10;
 
 std::string gap_text(Gap gap) {
-  switch (gap) {
-    case Gap::other_order:
-      return "other objectives, or another score that decides, than the store was made with";
-    case Gap::constraint_dropped:
-      return "a constraint of the store is not asked for, and what it left out was not kept";
-    case Gap::constraint_elsewhere:
-      return "a further constraint on what is not ranked by, or on its better side";
-    case Gap::more_than_kept:
-      return "more designs than the store keeps";
-  }
-  return "";
+  // In the order of Gap.
+  constexpr std::array names{
+      "other objectives, or another score that decides, than the store was made with",
+      "a constraint of the store is not asked for, and what it left out was not kept",
+      "a further constraint on what is not ranked by, or on its better side",
+      "more designs than the store keeps"};
+  return names.at(static_cast<std::size_t>(gap));
 }
 
 std::vector<std::string> gap_texts(const StoredRanking& ranking) {
@@ -38,13 +35,11 @@ std::vector<std::string> gap_texts(const StoredRanking& ranking) {
 }
 
 std::string inexact_note(const StoredRanking& ranking) {
-  std::string text;
-  for (const std::string& gap : gap_texts(ranking)) text += (text.empty() ? "" : "; ") + gap;
-  if (text.empty()) return "";
+  if (ranking.gaps.empty()) return "";
   return fmt::format(
       "not exact: {}. These are the best of what was kept; designs that were not may belong before "
       "or among them. An exploration with --keep all, or with these settings, has all",
-      text);
+      fmt::join(gap_texts(ranking), "; "));
 }
 
 std::string partial_text(const StoredRanking& ranking) {

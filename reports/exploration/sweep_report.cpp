@@ -9,7 +9,7 @@
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
 #include "reports/output/csv_field.hpp"
-#include "reports/output/telling_digits.hpp"
+#include "reports/shown_value.hpp"
 
 namespace reeve::reports {
 namespace {
@@ -18,21 +18,12 @@ constexpr std::size_t columns_at_most = 8;
 constexpr std::size_t rows_between = 4;
 constexpr std::size_t leaders_named = 4;
 
-std::string swept_name(const ListedDesign& design) {
-  return design.name.empty() ? design.ranked.design.word : design.name;
-}
-
 // "TR3 and TR6, which are equal, come first"
 std::string leaders_text(const SweptDesigns& swept, const SweepLead& lead) {
-  const std::size_t named = std::min(lead.first.size(), leaders_named);
-  std::string text;
-  for (std::size_t i = 0; i < named; ++i) {
-    if (i > 0) text += i + 1 == lead.first.size() ? " and " : ", ";
-    text += swept_name(swept.designs[lead.first[i]]);
-  }
-  const std::size_t more = lead.first.size() - named;
-  if (more > 0) text += fmt::format(" and {} more", more);
-  return text + (lead.first.size() == 1 ? " comes first" : ", which are equal, come first");
+  std::vector<std::string> names;
+  for (const std::size_t i : lead.first) names.push_back(short_name(swept.designs[i]));
+  return enumerated(names, " and ", leaders_named) +
+         (lead.first.size() == 1 ? " comes first" : ", which are equal, come first");
 }
 
 std::string coefficient_text(double value, int digits) {
@@ -71,7 +62,7 @@ Table sweep_table(const SweptDesigns& swept, std::size_t objective) {
   Table table{{number_column(row(sweep.over.coefficient).name, row(sweep.over.coefficient).unit)},
               {}};
   for (std::size_t i = 0; i < shown; ++i) {
-    table.columns.push_back(number_column(swept_name(swept.designs[i])));
+    table.columns.push_back(number_column(short_name(swept.designs[i])));
   }
   const int digits = digits_of(sweep);
   const int decimals =

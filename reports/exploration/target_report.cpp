@@ -19,11 +19,7 @@ constexpr std::size_t targets_shown = 10;
 // "2.00:1.00:1.00": pulls relative to the least that is wanted, so that their sum is the target's.
 std::string ratio_text(const std::vector<double>& shares, const Goal& goal) {
   const double unit = *std::ranges::min_element(goal.target);
-  std::string text;
-  for (const double share : shares) {
-    text += (text.empty() ? "" : ":") + fixed(share / unit, 2);
-  }
-  return text;
+  return joined(shares, ":", [&](double share) { return fixed(share / unit, 2); });
 }
 
 std::string moved_ratio_text(const TargetedDesign& design, const Goal& goal) {
@@ -34,12 +30,11 @@ std::string moved_ratio_text(const TargetedDesign& design, const Goal& goal) {
 }
 
 std::string bounds_text(const SizingOptions& sizing) {
-  std::string text;
-  for (const VariedRange& range : sizing.varied) {
-    text += fmt::format("{}{} {:.4g} to {:.4g}", text.empty() ? "" : ", ", to_text(range.name),
-                        range.bounds.low, range.bounds.high);
-  }
-  return text.empty() ? "nothing varied" : text;
+  if (sizing.varied.empty()) return "nothing varied";
+  return joined(sizing.varied, ", ", [](const VariedRange& range) {
+    return fmt::format("{} {:.4g} to {:.4g}", to_text(range.name), range.bounds.low,
+                       range.bounds.high);
+  });
 }
 
 const char* means(const TargetedDesign& design) {

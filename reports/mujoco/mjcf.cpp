@@ -111,10 +111,9 @@ void write_friction(const MjcfRig& rig, const MechanicsBuilder& mechanics, MjcfT
 
 void write_segments(const MjcfRig& rig, MjcfText& out) {
   for (std::size_t r = 0; r < rig.plan.ropes.size(); ++r) {
-    std::string names;
-    for (const std::size_t segment : rig.plan.ropes[r].segments) {
-      names += (names.empty() ? "" : " ") + segment_name(rig.network.segments[segment]);
-    }
+    const std::string names = joined(rig.plan.ropes[r].segments, " ", [&](std::size_t segment) {
+      return segment_name(rig.network.segments[segment]);
+    });
     out.leaf("text", {{"name", "segments_of_" + rope_name(r)}, {"data", names}});
   }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/error.hpp"
 #include "core/mechanics.hpp"
@@ -12,7 +13,6 @@
 namespace reeve::reports {
 namespace {
 
-constexpr double m_per_mm = 1e-3;
 constexpr double finger_pitch_m = 0.03;
 constexpr double strand_gap_m = 0.008;
 constexpr double lane_pitch_m = 0.012;
@@ -58,18 +58,12 @@ std::vector<RigFinger> rig_fingers(const Network& network, const Hardware& hardw
   return fingers;
 }
 
-double sum(const std::vector<double>& values) {
-  double total = 0;
-  for (const double value : values) total += value;
-  return total;
-}
-
 // Returns the travel of each block for each millimetre that fingers close.
 std::vector<double> travel_per_closing(const Network& network, const Mechanics& mechanics) {
   std::vector<double> greatest(network.blocks.size(), 0);
   for (const WeightedGrasp& grasp : single_grasps(network.fingers)) {
     const TensionState state = tensions(network, mechanics, grasp.grasp);
-    const double closing = sum(state.closing);
+    const double closing = std::accumulate(state.closing.begin(), state.closing.end(), 0.0);
     if (!(closing > 0)) continue;
     for (std::size_t b = 0; b < greatest.size(); ++b) {
       greatest[b] = std::max(greatest[b], std::abs(state.block_travel[b]) / closing);
@@ -148,6 +142,39 @@ std::string MjcfText::number(double value) { return fmt::format("{:.9g}", value)
 
 std::string MjcfText::point(double x_m, double y_m) {
   return number(x_m) + " " + number(y_m) + " 0";
+}
+
+std::string rope_name(std::size_t rope) { return fmt::format("tendon_{}", rope + 1); }
+
+std::string runner_name(std::size_t finger) { return fmt::format("runner_{}", finger + 1); }
+
+std::string joint_name(std::size_t finger, std::size_t joint) {
+  return fmt::format("finger_{}_joint_{}", finger + 1, joint + 1);
+}
+
+std::string carriage_name(std::size_t motor) {
+  return motor == 1 ? "carriage" : fmt::format("carriage_{}", motor);
+}
+
+std::string mover_name(const MjcfRig& rig, const Leg& leg) {
+  switch (leg.mover) {
+    case Mover::runner:
+      return runner_name(leg.owner - 1);
+    case Mover::carriage:
+      return carriage_name(leg.owner);
+    case Mover::block:
+      return block_name(rig.network.blocks[leg.owner]);
+    case Mover::left_arm:
+      return block_name(rig.network.blocks[leg.owner]) + "_left";
+    case Mover::right_arm:
+      break;
+  }
+  return block_name(rig.network.blocks[leg.owner]) + "_right";
+}
+
+std::string site_name(const MjcfRig& rig, const RopePoint& at) {
+  if (at.kind == PointKind::fixed) return fmt::format("fixed_{}", at.index + 1);
+  return (at.kind == PointKind::eyelet ? "eye_" : "") + rig.plan.legs[at.index].name;
 }
 
 }  // namespace reeve::reports

@@ -138,11 +138,7 @@ Json to_json(const Hardware& hardware) {
 }
 
 std::string objective_names(const std::vector<Objective>& objectives) {
-  std::string names;
-  for (const Objective objective : objectives) {
-    names += (names.empty() ? "" : ", ") + std::string(row(objective).name);
-  }
-  return names;
+  return joined(objectives, ", ", [](Objective objective) { return row(objective).name; });
 }
 
 std::string order_text(const Order& order, const Score& score) {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "reports/document/document.hpp"
-#include "reports/document/text_table.hpp"
 #include "reports/exploration/design_list.hpp"
 #include "reports/exploration/explore_report.hpp"
 #include "reports/exploration/sweep_report.hpp"

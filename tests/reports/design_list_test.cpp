@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/document/text_table.hpp"
+#include "reports/document/document.hpp"
 #include "reports/exploration/band_report.hpp"
 #include "search/evaluate/shown_objectives.hpp"
 #include "tests/support/has.hpp"

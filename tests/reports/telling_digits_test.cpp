@@ -1,8 +1,8 @@
-#include "reports/output/telling_digits.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
+
+#include "reports/shown_value.hpp"
 
 namespace reeve {
 namespace {

@@ -1,5 +1,3 @@
-#include "reports/document/text_table.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <sstream>
 
 #include "core/text.hpp"
+#include "reports/document/document.hpp"
 #include "reports/document/text_width.hpp"
 #include "tests/support/has.hpp"
 
