@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/notation.hpp"
-#include "tests/support/planting_rig_effects.hpp"
+#include "tests/support/planting_effects.hpp"
 
 namespace reeve::bench {
 namespace {

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,7 +10,6 @@
 #include "core/hand.hpp"
 #include "tests/core/network_of.hpp"
 #include "tests/support/example_hand.hpp"
-#include "tests/support/random_routing.hpp"
 
 namespace reeve {
 namespace {
@@ -163,130 +161,6 @@ TEST(FingerGuides, OfAHeldFingerLetTheTighterStrandLoadTheOtherRoundTheTip) {
     EXPECT_NEAR(demand.motor_force_N, 60 * 5 / (one.palm_N * pull * 10), 1e-9) << one.word;
     EXPECT_EQ(demand.weakest, one.held);
   }
-}
-
-FingerParts random_finger(testing::Dice& dice) {
-  FingerParts parts{{}, dice.real(1, 10)};
-  for (int j = dice.integer(1, 4); j > 0; --j) {
-    FingerJoint joint{dice.real(4, 12), 90, dice.real(20, 80), 0, 0, dice.real(5, 85)};
-    joint.guide = dice.chance(0.8) ? JointGuide::tube : JointGuide::none;
-    joint.mu = dice.real(0, 0.3);
-    joint.wrap_deg = dice.real(0, 40);
-    parts.joints.push_back(joint);
-  }
-  return parts;
-}
-
-// The routing with a tube for each guide that a strand of a held finger passes.
-struct GuidedRouting {
-  Network network;
-  Mechanics parts;
-  std::vector<std::size_t> tip;  // contact at the tip of each held finger, 0 of others
-};
-
-std::string with_tubes(const std::string& word, const Hardware& hardware, Grasp grasp) {
-  std::string result;
-  for (const char token : word) {
-    const int finger = token - '0';
-    if (finger < 1 || finger > 9 || !grasp.holds(finger)) {
-      result += token;
-      continue;
-    }
-    const auto joints = hardware.fingers[static_cast<std::size_t>(finger) - 1].parts.joints.size();
-    for (std::size_t j = 0; j < joints; ++j) result += "T-";
-    result += token;
-    for (std::size_t j = 0; j < joints; ++j) result += "-T";
-  }
-  return result;
-}
-
-void set_sheaths(const Network& network, const std::vector<double>& phi, Mechanics& parts) {
-  std::size_t next = 0;
-  for (std::size_t k = 0; k < network.contacts.size(); ++k) {
-    if (network.contacts[k].kind == ContactKind::sheath) set_exponent(parts, k, phi.at(next++));
-  }
-}
-
-GuidedRouting guided(const std::string& word, const Hardware& hardware, Grasp grasp) {
-  Hardware plain = hardware;
-  for (FingerHardware& finger : plain.fingers) {
-    if (grasp.holds(finger.finger)) finger.parts.joints = without_guides(finger.parts.joints);
-  }
-  GuidedRouting result{network_of(with_tubes(word, hardware, grasp)), {}, {}};
-  result.parts = mechanics(result.network, plain);
-  result.tip.resize(plain.fingers.size() + 1);
-  for (std::size_t k = 0; k < result.network.contacts.size(); ++k) {
-    const Contact& contact = result.network.contacts[k];
-    if (contact.place != ContactPlace::tip || !grasp.holds(contact.finger)) continue;
-    const auto f = static_cast<std::size_t>(contact.finger);
-    const std::vector<FingerJoint>& joints = hardware.fingers[f - 1].parts.joints;
-    const std::size_t n = joints.size();
-    result.tip[f] = k;
-    for (std::size_t j = 0; j < n; ++j) {
-      const double phi = guide_exponent(joints[j], in_rad(*joints[j].held_deg));
-      set_exponent(result.parts, k - n + j, phi);
-      set_exponent(result.parts, k + n - j, phi);
-    }
-    // Segment k lies before contact k of a single tendon. The strand is what lies before the
-    // guides.
-    for (std::size_t i = k - n; i <= k + n + 1; ++i) result.parts.length[i] = 1e-9;
-    result.parts.length[k - n] = result.parts.length[k + n + 1] = hardware.strand_mm;
-  }
-  return result;
-}
-
-// The tension solve, which takes the guides of a finger as one contact with its tip, against the
-// same solve with a contact for each guide.
-TEST(FingerGuides, LeaveTheTensionsOfASolveWithAContactForEachGuide) {
-  const std::vector<std::string> words{"M-1-F",         "M-1-M",         "M-1-T-2-F",
-                                       "M-1-T-2-M",     "M-1-P-2-F",     "F-1-P-2-F",
-                                       "M-1-T-2-T-3-M", "M-1-T-2-T-3-F", "M-1-P-2-T-3-F"};
-  int compared = 0;
-  int between = 0;
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
-    testing::Dice dice(seed);
-    const std::string word = dice.pick(words);
-    SCOPED_TRACE(::testing::Message() << "seed " << seed << ", " << word);
-    Hardware hardware = hand_of({random_finger(dice), random_finger(dice), random_finger(dice)});
-    for (FingerHardware& finger : hardware.fingers) {
-      finger.tip_mu = dice.chance(0.3) ? 0 : dice.real(0, 0.2);
-    }
-    const std::vector<double> sheaths{dice.real(0, 0.6), dice.real(0, 0.6), dice.real(0, 0.6)};
-    const Network net = network_of(word);
-    Grasp grasp;
-    for (int f = 1; f <= net.fingers; ++f) {
-      if (dice.chance(0.6)) grasp.held |= 1U << (f - 1);
-    }
-    Mechanics parts = mechanics(net, hardware);
-    set_sheaths(net, sheaths, parts);
-    const FingerPullArray pulls = finger_pulls_of(net, parts, tensions(net, parts, grasp));
-    GuidedRouting along = guided(word, hardware, grasp);
-    set_sheaths(along.network, sheaths, along.parts);
-    const TensionState state = tensions(along.network, along.parts, grasp);
-    for (std::size_t k = 0; k < along.network.contacts.size(); ++k) {
-      EXPECT_LE(std::abs(std::log(state.tension[k] / state.tension[k + 1])),
-                along.parts.phi[k] + 1e-6);
-    }
-    for (int number = 1; number <= net.fingers; ++number) {
-      if (!grasp.holds(number)) continue;
-      const auto f = static_cast<std::size_t>(number);
-      const HandFinger finger = hand(hardware)->finger(number);
-      const std::size_t n = finger.joints.size();
-      const std::size_t tip = along.tip[f];
-      ++compared;
-      between += pulls[f].right_N > pulls[f].left_N * pulls[f].tip_decay * 1.01 &&
-                 pulls[f].left_N > pulls[f].right_N * pulls[f].tip_decay * 1.01;
-      EXPECT_NEAR(pulls[f].left_N, state.tension[tip - n], 1e-6);
-      EXPECT_NEAR(pulls[f].right_N, state.tension[tip + n + 1], 1e-6);
-      for (std::size_t j = 0; j < n; ++j) {
-        EXPECT_NEAR(pulls[f].behind_guide_N(finger.demands[j].held_decay),
-                    state.tension[tip - n + j + 1] + state.tension[tip + n - j], 1e-6)
-            << "finger " << number << ", joint " << j + 1;
-      }
-    }
-  }
-  EXPECT_GT(compared, 300);
-  EXPECT_GT(between, 30);
 }
 
 }  // namespace

@@ -153,6 +153,8 @@ TEST(TreeTension, JamsWhereNoFingerCanGiveWay) {
   }
   // The block of both branches cannot follow: one of them is held.
   EXPECT_TRUE(SolvedTree("M-Y1+1x-Y1-2x+3x-Y1-4x", hold({3, 4})).state.jams);
+  // Fingers on two tails of one block cannot close unlike.
+  EXPECT_TRUE(SolvedTree("M-Y1-F+Y1-1x+Y1-2x", hold({1})).state.jams);
 }
 
 TEST(TreeTension, BranchesOfOneBlockCloseAsEvenlyAsTheyCan) {
@@ -161,6 +163,36 @@ TEST(TreeTension, BranchesOfOneBlockCloseAsEvenlyAsTheyCan) {
   EXPECT_NEAR(s.state.closing[0], 1, 1e-9);
   EXPECT_NEAR(s.state.closing[1], 1, 1e-9);
   EXPECT_NEAR(s.state.closing[3], 2, 1e-9);
+}
+
+// Finger 4 held: 2 z2 = dl3 and 2 = dl5 + z2 leave one freedom beside dl1 = dl2 = 1.
+TEST(TreeTension, WhatTheConstraintsLeaveOpenHasTheLeastWeightedVariance) {
+  const std::string word = "M-Y1+1x-Y1-2x+Y2-Y1-5x+3x-Y2-4x";
+  const SolvedTree alike(word, hold({4}));
+  EXPECT_NEAR(alike.state.closing[2], 24.0 / 19, rounding_error);
+  EXPECT_NEAR(alike.state.closing[4], 26.0 / 19, rounding_error);
+  Hardware hardware;
+  hardware.fingers.push_back({5, {}, {}, {}, {}, {}, 2});
+  const SolvedTree weighed(word, hold({4}), hardware);
+  EXPECT_NEAR(weighed.state.closing[2], 36.0 / 43, rounding_error);
+  EXPECT_NEAR(weighed.state.closing[4], 68.0 / 43, rounding_error);
+}
+
+TEST(TreeTension, OfATreeThatJamsBesideAnotherTakesAll) {
+  const SolvedTree s("M-Y1+1x-Y1-2x+M-Y2+3x-Y2-4x", hold({1, 2}));
+  EXPECT_TRUE(s.state.jams);
+  EXPECT_EQ(s["a"], 1);
+  EXPECT_EQ(s["T5"], 0);
+}
+
+// The motor on the tail pulls the block down, that on the third tendon pulls it up by as much.
+TEST(TreeTension, OfATendonThatTheOthersSlackenIsNone) {
+  for (const char* word : {"M-Y1+1x-Y1-2x+M-Y1-3x", "M-Y1-3x+M-Y1+1x-Y1-2x"}) {
+    const SolvedTree s(word, hold({1, 2, 3}));
+    EXPECT_EQ(s["T1"], 0) << word;
+    EXPECT_EQ(s["T3"], 0) << word;
+    EXPECT_GT(s["T5"], 0.1) << word;
+  }
 }
 
 TEST(TreeTension, ABarSharesByItsArmsWhateverIsHeld) {

@@ -2,18 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "fuzz/fuzzed.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace reeve {
 namespace {
-
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 TEST(Corpus, IsReadOrRefusedByName) {
   const std::filesystem::path corpus = std::filesystem::path(REEVE_SOURCE_DIR) / "fuzz" / "corpus";
@@ -21,7 +15,7 @@ TEST(Corpus, IsReadOrRefusedByName) {
     int files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(corpus / reader.name)) {
       SCOPED_TRACE(entry.path().string());
-      EXPECT_NO_THROW(reader.read(bytes_of(entry.path())));
+      EXPECT_NO_THROW(reader.read(testing::read_text(entry.path())));
       ++files;
     }
     EXPECT_GT(files, 0) << reader.name;

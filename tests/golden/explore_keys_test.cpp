@@ -1,33 +1,14 @@
-// The keys of what an exploration writes: summary, sweep, shard, trade-off, unmet constraints.
+// The keys of what an exploration writes where no file in expected/ has them: target, sweep, shard,
+// trade-off, unmet constraints.
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "tests/golden/design_keys.hpp"
+#include "tests/golden/json_keys.hpp"
 
 namespace reeve::testing {
 namespace {
-
-TEST(KeysOfTheExploreSummary, AreThePromisedOnes) {
-  const Json json = summary();
-  EXPECT_EQ(
-      keys(json),
-      "generated rejected evaluated pruned ranked partial notes left_out total seconds "
-      "designs_per_second front_equals_left_out front_distinct front top best known tradeoff never_jams robust_first "
-      "target motor unmet exploration settings version");
-  EXPECT_EQ(keys(json["rejected"]), "not actuated");
-  EXPECT_EQ(keys(json["front"][0]), "rank front routing name" + objectives + equivalent);
-  EXPECT_EQ(keys(json["top"][0]), "rank front routing name" + objectives + equivalent);
-  EXPECT_EQ(keys(json["known"][0]),
-            "name routing rank front dominated_by generated rejected_by" + objectives);
-  EXPECT_EQ(keys(json["settings"]),
-            "fingers identical_fingers parts tendons shard top constraints " + common_settings +
-                " target_shares");
-  EXPECT_EQ(keys(json["settings"]["parts"]), "tips joins ends anchored blocks");
-  expect_pair(json["known"][0]);
-  expect_settings(json["settings"]);
-}
 
 TEST(KeysOfATarget, AreThePromisedOnes) {
   EXPECT_TRUE(summary()["target"].is_null());
@@ -108,19 +89,6 @@ TEST(KeysOfTheTradeoff, AreThePromisedOnes) {
             "unit sheath tube tip_bearing fixed_pulley movable_pulley block bar anchor fixed_end "
             "knot tendon_mm");
   EXPECT_EQ(keys(json_of({"rank", "--catalogue"})["tradeoff"]), keys(json["tradeoff"]));
-}
-
-TEST(KeysOfTheBestWithAndWithoutBlocks, AreThePromisedOnes) {
-  EXPECT_TRUE(summary({"--parts", "full"})["tradeoff"]["floating_blocks"].is_null());
-  const Json best = summary()["tradeoff"]["floating_blocks"];
-  EXPECT_EQ(keys(best), "without with with_bars");
-  for (const char* kind : {"without", "with", "with_bars"}) {
-    EXPECT_EQ(keys(best[kind]), "routing name rank losses" + objectives + " moving_parts strands");
-  }
-  EXPECT_EQ(best["without"]["moving_parts"], 0);
-  EXPECT_EQ(best["with"]["moving_parts"], 1);
-  EXPECT_EQ(best["with"]["strands"], 2);
-  EXPECT_EQ(best["with_bars"]["routing"], "M-W1+1x-W1-2x");
 }
 
 TEST(KeysOfTheLeftOutParts, AreThePromisedOnes) {

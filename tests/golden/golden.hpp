@@ -128,8 +128,11 @@ inline std::string without_id(const std::string& csv) {
   return std::regex_replace(csv, std::regex(",[0-9a-f]{16}\n"), ",varies\n");
 }
 
+// Run in the folder of the sources: a file's name is printed as it was given.
 inline std::string output_of(const std::vector<std::string>& arguments) {
-  const ProcessResult result = reeve(arguments);
+  ProcessOptions options;
+  options.directory = REEVE_SOURCE_DIR;
+  const ProcessResult result = reeve(arguments, options);
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
   return result.out;

@@ -74,13 +74,8 @@ TEST(GoldenTables, OfOneRoutingAndOfTheCheck) {
 
 TEST(GoldenRank, WithWhatThePageShows) {
   const TemporaryFolder folder;
-  ProcessOptions options;
-  options.directory = REEVE_SOURCE_DIR;  // the file's name is printed as it was given
-  const ProcessResult result = reeve({"rank", "TR4", "TR5", "--grasps", "paper", "--data",
-                                      "tests/golden/readings.csv", "--out", folder.path().string()},
-                                     options);
-  EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(result.err, "");
+  output_of({"rank", "TR4", "TR5", "--grasps", "paper", "--data", "tests/golden/readings.csv",
+             "--out", folder.path().string()});
   expect_json(read_text(folder.path() / "ranking.json"), "rank_page.json");
 }
 
@@ -119,44 +114,29 @@ TEST(GoldenCatalogue, OfTheHands) {
 
 TEST(GoldenCompare, OfReadingsWithAndWithoutMotorTension) {
   const TemporaryFolder folder;
-  ProcessOptions options;
-  options.directory = REEVE_SOURCE_DIR;  // the file's name is printed as it was given
-  const ProcessResult result = reeve(
-      {"compare", "tests/golden/readings.csv", "--format", "json", "--out", folder.path().string()},
-      options);
-  EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(result.err, "");
-  expect_json(result.out, "compare.json");
+  expect_json(output_of({"compare", "tests/golden/readings.csv", "--format", "json", "--out",
+                         folder.path().string()}),
+              "compare.json");
   expect_csv(without_id(read_text(folder.path() / "residuals.csv")), "compare_residuals.csv");
 }
 
 TEST(GoldenImport, OfTheLogOfASimulatedRig) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "readings.csv").string();
-  ProcessOptions options;
-  options.directory = REEVE_SOURCE_DIR;
-  const ProcessResult result =
-      reeve({"import", "tests/golden/log.csv", "-o", file, "--format", "json"}, options);
-  EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(result.err, "");
-  expect_json(result.out, "import.json");
+  expect_json(output_of({"import", "tests/golden/log.csv", "-o", file, "--format", "json"}),
+              "import.json");
   const std::string csv = read_text(file);
   expect_csv(csv.substr(csv.find('\n') + 1), "import_readings.csv");  // below the version
 }
 
-ProcessResult diagnose(const std::string& data, std::vector<std::string> options) {
+std::string diagnose(const std::string& data, std::vector<std::string> options = {}) {
   options.insert(options.begin(), {"diagnose", "tests/golden/" + data, "--format", "json"});
-  ProcessOptions process;
-  process.directory = REEVE_SOURCE_DIR;
-  const ProcessResult result = reeve(options, process);
-  EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(result.err, "");
-  return result;
+  return output_of(options);
 }
 
 TEST(GoldenDiagnose, OfTubesThatAreSmootherThanTheHardwareSays) {
   const TemporaryFolder folder;
-  const std::string out = diagnose("diagnose_cause.csv", {"--out", folder.path().string()}).out;
+  const std::string out = diagnose("diagnose_cause.csv", {"--out", folder.path().string()});
   expect_json(out, "diagnose_cause.json", fitted);
   expect_csv(without_id(read_text(folder.path() / "residuals.csv")), "diagnose_cause_residuals.csv",
              fitted);
@@ -164,15 +144,15 @@ TEST(GoldenDiagnose, OfTubesThatAreSmootherThanTheHardwareSays) {
 
 TEST(GoldenDiagnose, OfThePublishedReadingsOfTheSevenRoutings) {
   const std::string data = "../../catalog/measured/exo_glove_ii.csv";
-  expect_json(diagnose(data, {}).out, "diagnose_exo_glove_ii.json", fitted);
+  expect_json(diagnose(data), "diagnose_exo_glove_ii.json", fitted);
 }
 
 TEST(GoldenDiagnose, OfAModelThatIsRight) {
-  expect_json(diagnose("diagnose_none.csv", {}).out, "diagnose_none.json", fitted);
+  expect_json(diagnose("diagnose_none.csv"), "diagnose_none.json", fitted);
 }
 
 TEST(GoldenDiagnose, OfCausesThatTheDataCannotTellApart) {
-  expect_json(diagnose("diagnose_indistinguishable.csv", {}).out, "diagnose_indistinguishable.json",
+  expect_json(diagnose("diagnose_indistinguishable.csv"), "diagnose_indistinguishable.json",
               fitted);
 }
 

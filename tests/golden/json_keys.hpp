@@ -17,6 +17,12 @@ using Json = nlohmann::ordered_json;
 inline const std::string example_model =
     (std::filesystem::path(REEVE_CATALOG_DIR) / "model" / "example.toml").string();
 
+inline const std::string objectives =
+    " uniformity efficiency force_transmission jams jams_all sheaths pulleys knots travel "
+    "round_trip_efficiency adaptability torsional_balance reliability authors_efficiency transmission score "
+    "blocks finger_uniformity parts cost uniformity_p5 efficiency_p5";
+inline const std::string equivalent = " smallest_jams alike same_as place";
+
 inline const std::string readings = std::string(REEVE_SOURCE_DIR) + "/tests/golden/readings.csv";
 
 inline const std::string diagnosed = std::string(REEVE_SOURCE_DIR) + "/tests/golden/diagnose_";

@@ -18,15 +18,6 @@
 namespace reeve::testing {
 namespace {
 
-// One that has the modules, "" if there is none. Debian's own packages are for Debian's own Python,
-// and another may stand before it.
-std::string python_with(const std::string& modules) {
-  for (const char* python : {"python3", "/usr/bin/python3"}) {
-    if (run_process({python, "-c", "import " + modules}).exit_code == 0) return python;
-  }
-  return "";
-}
-
 ProcessResult run_python(const std::string& python, const std::string& script,
                          const TemporaryFolder& folder) {
   ProcessOptions options{.directory = folder.path(),

@@ -2,9 +2,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <filesystem>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -104,33 +102,6 @@ TEST(ExplorePage, GivesTheCommandThatGivesItAgain) {
       0)
       << command;
   EXPECT_TRUE(first.file("index.html") == page) << command;
-}
-
-TEST(ExploreShards, AddUpToTheWhole) {
-  const Json whole = Explored("--fingers 3").summary();
-  const Explored whole_files("--fingers 3");
-  std::uint64_t generated = 0;
-  std::uint64_t evaluated = 0;
-  std::uint64_t rejected = 0;
-  std::vector<std::string> designs;
-  for (const char* shard : {"1/4", "2/4", "3/4", "4/4"}) {
-    const Explored explored({"--fingers", "3", "--shard", shard});
-    const Json summary = explored.summary();
-    EXPECT_EQ(summary["settings"]["shard"], shard);
-    EXPECT_EQ(summary["generated"], summary["total"]);
-    generated += summary["generated"].get<std::uint64_t>();
-    evaluated += summary["evaluated"].get<std::uint64_t>();
-    rejected += summary["rejected"]["not actuated"].get<std::uint64_t>();
-    for (const std::string& word : words(explored.file("designs.csv"))) designs.push_back(word);
-  }
-  EXPECT_EQ(generated, whole["generated"]);
-  EXPECT_EQ(evaluated, whole["evaluated"]);
-  EXPECT_EQ(rejected, whole["rejected"]["not actuated"]);
-  // Each design in exactly one shard.
-  std::vector<std::string> all = words(whole_files.file("designs.csv"));
-  std::sort(all.begin(), all.end());
-  std::sort(designs.begin(), designs.end());
-  EXPECT_EQ(designs, all);
 }
 
 TEST(ExploreShards, MayOutnumberTheRoutings) {

@@ -1,11 +1,13 @@
 // One run of `reeve explore` into a folder of its own, and what the commands' tests share.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -81,6 +83,28 @@ inline std::vector<std::string> words(const std::string& csv) {
   return result;
 }
 
+// The rows below the header, by its columns.
+inline std::vector<std::map<std::string, std::string>> rows_of(const std::string& csv) {
+  const auto fields = [](const std::string& line) {
+    std::vector<std::string> list;
+    std::istringstream in(line + ",");
+    for (std::string field; std::getline(in, field, ',');) list.push_back(field);
+    return list;
+  };
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  const std::vector<std::string> names = fields(line);
+  std::vector<std::map<std::string, std::string>> rows;
+  while (std::getline(lines, line)) {
+    const std::vector<std::string> values = fields(line);
+    EXPECT_EQ(values.size(), names.size()) << line;
+    rows.emplace_back();
+    for (std::size_t i = 0; i < names.size(); ++i) rows.back()[names[i]] = values[i];
+  }
+  return rows;
+}
+
 // Text, since the rest must be the same byte for byte.
 inline std::string without_times(const std::string& summary) {
   std::string result;
@@ -92,6 +116,28 @@ inline std::string without_times(const std::string& summary) {
     }
   }
   return result;
+}
+
+// Every file below a folder that is there, but for the seconds that it took.
+inline std::map<std::string, std::string> files_below(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> files;
+  if (!std::filesystem::exists(folder)) return files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    const std::string text = read_text(entry.path());
+    files[std::filesystem::relative(entry.path(), folder)] =
+        entry.path().extension() == ".json" ? without_times(text) : text;
+  }
+  return files;
+}
+
+// A Python that has the modules, "" if there is none. Debian's own packages are for Debian's own
+// Python, and another may stand before it.
+inline std::string python_with(const std::string& modules) {
+  for (const char* python : {"python3", "/usr/bin/python3"}) {
+    if (run_process({python, "-c", "import " + modules}).exit_code == 0) return python;
+  }
+  return "";
 }
 
 // The blocks of a document in a language, as they stand there.

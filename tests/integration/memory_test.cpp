@@ -17,18 +17,6 @@ constexpr const char* no_memory = "reeve: not enough memory\n";
 constexpr const char* no_threads =
     "reeve: no more threads: not enough memory, or too many threads\n";
 
-std::map<std::string, std::string> files_in(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  if (!fs::exists(folder)) return files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
-    files[fs::relative(entry.path(), folder)] = entry.path().extension() == ".json"
-                                                    ? without_times(read_text(entry.path()))
-                                                    : read_text(entry.path());
-  }
-  return files;
-}
-
 struct Starved {
   const char* name;
   Arguments command;
@@ -42,7 +30,7 @@ class OutOfMemory : public ::testing::TestWithParam<Starved> {
     if (has_sanitizer()) GTEST_SKIP() << "sanitizers have an allocator of their own";
     run({});
     ASSERT_EQ(result_.exit_code, 0) << result_.err;
-    whole_ = files_in(folder_.path() / "out");
+    whole_ = files_below(folder_.path() / "out");
     ASSERT_FALSE(whole_.empty());
   }
 
@@ -59,7 +47,7 @@ class OutOfMemory : public ::testing::TestWithParam<Starved> {
     EXPECT_EQ(result_.signal, 0);
     EXPECT_EQ(result_.err, result_.exit_code == 0 ? "" : no_memory);
     EXPECT_TRUE(result_.exit_code == 0 || result_.exit_code == 3) << result_.exit_code;
-    for (const auto& [name, text] : files_in(folder_.path() / "out")) {
+    for (const auto& [name, text] : files_below(folder_.path() / "out")) {
       ASSERT_TRUE(whole_.contains(name)) << name;
       EXPECT_TRUE(text == whole_.at(name)) << name;
     }
@@ -188,7 +176,7 @@ TEST(MemoryLimit, IsSaidToBeReached) {
     const bool of_threads = result.err == no_threads;
     EXPECT_EQ(result.err, result.exit_code == 0 ? "" : of_threads ? no_threads : no_memory);
     if (result.exit_code == 3) {
-      EXPECT_TRUE(files_in(out).empty());
+      EXPECT_TRUE(files_below(out).empty());
     }
     starved += result.exit_code == 3 ? 1 : 0;
     unharmed = result.exit_code == 0 ? unharmed + 1 : 0;

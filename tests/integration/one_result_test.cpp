@@ -54,10 +54,6 @@ std::vector<Rewritten> rewritten() {
 
 bool is_temporary(const fs::path& file) { return file.extension() == ".tmp"; }
 
-std::string text_of(const fs::path& file) {
-  return file.extension() == ".json" ? without_times(read_text(file)) : read_text(file);
-}
-
 class OneResult : public ::testing::TestWithParam<Rewritten> {
  protected:
   void SetUp() override {
@@ -86,20 +82,12 @@ class OneResult : public ::testing::TestWithParam<Rewritten> {
   }
 
   Files files() const {
-    Files found;
-    for (const auto& entry : fs::recursive_directory_iterator(out())) {
-      if (!entry.is_regular_file() || is_temporary(entry.path())) continue;
-      found[fs::relative(entry.path(), out())] = text_of(entry.path());
-    }
+    Files found = files_below(out());
+    std::erase_if(found, [](const auto& file) { return is_temporary(file.first); });
     return found;
   }
 
-  bool has_temporary_files() const {
-    for (const auto& entry : fs::recursive_directory_iterator(out())) {
-      if (is_temporary(entry.path())) return true;
-    }
-    return false;
-  }
+  bool has_temporary_files() const { return files() != files_below(out()); }
 
   void expect_files_of_one_result() const {
     const Files found = files();

@@ -313,10 +313,7 @@ TEST_F(StoreLines, ReadItInTheShell) {
 TEST_F(StoreLines, ReadItInPython) {
   const std::vector<std::string> blocks = blocks_of("store.md", "python");
   ASSERT_EQ(blocks.size(), 1U);
-  std::string python;
-  for (const char* candidate : {"python3", "/usr/bin/python3"}) {
-    if (run_in({candidate, "-c", "import pandas"}).exit_code == 0) python = candidate;
-  }
+  const std::string python = python_with("pandas");
   ASSERT_FALSE(python.empty()) << "this needs python3-pandas, which ./run test installs";
   const ProcessResult result = run_in(
       {python, "-c",

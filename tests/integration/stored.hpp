@@ -4,26 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <map>
 #include <string>
 
 #include "store/store_reader.hpp"
 #include "tests/integration/explored.hpp"
 
 namespace reeve::testing {
-
-// Every file below, but for the seconds that it took.
-inline std::map<std::string, std::string> files_below(const std::filesystem::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
-    const std::string text = read_text(entry.path());
-    const bool is_timed =
-        entry.path().filename() == "summary.json" || entry.path().filename() == "shard.json";
-    files[std::filesystem::relative(entry.path(), folder)] = is_timed ? without_times(text) : text;
-  }
-  return files;
-}
 
 inline void expect_same_below(const std::filesystem::path& actual,
                               const std::filesystem::path& expected) {

@@ -1,9 +1,8 @@
-// Objectives under uncertainty from end to end: the same numbers in every file, for any number of
-// threads and shards, and those by which `size` judges.
+// Objectives under uncertainty from end to end: the same numbers in every file, and those by which
+// `size` judges.
 #include <gtest/gtest.h>
 
-#include <map>
-#include <sstream>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -12,27 +11,6 @@
 
 namespace reeve::testing {
 namespace {
-
-std::vector<std::map<std::string, std::string>> rows_of(const std::string& csv) {
-  const auto fields = [](const std::string& line) {
-    std::vector<std::string> list;
-    std::istringstream in(line + ",");
-    for (std::string field; std::getline(in, field, ',');) list.push_back(field);
-    return list;
-  };
-  std::istringstream lines(csv);
-  std::string line;
-  std::getline(lines, line);
-  const std::vector<std::string> names = fields(line);
-  std::vector<std::map<std::string, std::string>> rows;
-  while (std::getline(lines, line)) {
-    const std::vector<std::string> values = fields(line);
-    EXPECT_EQ(values.size(), names.size()) << line;
-    rows.emplace_back();
-    for (std::size_t i = 0; i < names.size(); ++i) rows.back()[names[i]] = values[i];
-  }
-  return rows;
-}
 
 Json bands_by_word(const Json& designs) {
   Json bands = Json::object();
@@ -74,26 +52,6 @@ TEST(Bands, AreTheSameInCsvAndJson) {
   EXPECT_EQ(rows[1].at("place"), "2");
   EXPECT_EQ(rows[2].at("place"), "2");
   EXPECT_EQ(rows[2].at("rank"), "3");
-}
-
-TEST(Bands, OfADesignAreTheSameInItsShardAndForAnyThreads) {
-  const Arguments common("--uncertainty --draws 15");
-  const auto run = [&](Arguments more) {
-    more.insert(more.end(), common.begin(), common.end());
-    return Explored(more).summary();
-  };
-  const Json whole = run("--threads 1");
-  EXPECT_EQ(run("--threads 3")["top"], whole["top"]);
-  const Json all = bands_by_word(whole["top"]);
-  std::size_t seen = 0;
-  for (const char* shard : {"1/3", "2/3", "3/3"}) {
-    const Json of_shard = bands_by_word(run({"--shard", shard})["top"]);
-    for (const auto& [word, bands] : of_shard.items()) {
-      EXPECT_EQ(bands, all[word]) << word;
-      ++seen;
-    }
-  }
-  EXPECT_EQ(seen, all.size());
 }
 
 TEST(Bands, AreThereForKnownRoutingsBeyondTheList) {

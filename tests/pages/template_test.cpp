@@ -3,26 +3,21 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 
 #include "pages/shell/asset_table.hpp"
 #include "pages/shell/page.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace reeve {
 namespace {
 
-std::string bytes(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 TEST(Assets, AreEmbeddedByteForByte) {
   for (const auto& entry :
        std::filesystem::directory_iterator(std::string(REEVE_SOURCE_DIR) + "/pages/assets")) {
-    EXPECT_EQ(asset(entry.path().filename().string()), bytes(entry.path())) << entry.path();
+    EXPECT_EQ(asset(entry.path().filename().string()), testing::read_text(entry.path()))
+        << entry.path();
   }
   EXPECT_THROW(asset("no such file"), std::out_of_range);
 }

@@ -50,9 +50,10 @@ TEST(ReferenceProperty, TensionsSlipsAndClosingsAreThoseOfAnIndependentSolver) {
     const Mechanics m = mechanics(trial.network, trial.hardware);
     const TensionState state = tensions(trial.network, m, trial.grasp, trial.direction);
     const ReferenceResult expected = reference(trial, m);
-    EXPECT_EQ(testing::disagreement(to_word(trial.routing), expected,
-                                    testing::observed(trial.network, m, state)),
-              "");
+    EXPECT_EQ(
+        testing::disagreement(to_word(trial.routing), expected,
+                              testing::observed(trial.network, m, state), {1e-9, 1e-15, 1e-9}),
+        "");
     count(trial, m, state, seen);
     if (::testing::Test::HasFailure()) return;
   }
@@ -60,6 +61,27 @@ TEST(ReferenceProperty, TensionsSlipsAndClosingsAreThoseOfAnIndependentSolver) {
                           seen.frictionless_contacts}) {
     EXPECT_GT(cases, 50);
   }
+}
+
+TEST(ReferenceComparison, NamesTheFirstDisagreementOfTwoAnswers) {
+  testing::ReferenceHardware hardware{};
+  hardware.tube = hardware.bearing = hardware.sheath = {0.18, 3};
+  const char* word = "M-Y1+1x-Y1-2x";
+  const ReferenceResult expected =
+      testing::reference_tensions(word, hold({1}), Direction::pull, hardware);
+  EXPECT_EQ(testing::disagreement(word, expected, expected), "");
+  ReferenceResult other = expected;
+  other.tension["T3"] *= 1.00001;
+  EXPECT_EQ(testing::disagreement(word, expected, other).substr(0, 3), "T3:");
+  other = expected;
+  other.contacts.back().slip = 1;
+  EXPECT_EQ(testing::disagreement(word, expected, other).substr(0, 13), "slip at T1-T3");
+  other = expected;
+  other.closing[2] = 1;
+  EXPECT_EQ(testing::disagreement(word, expected, other).substr(0, 19), "closing of finger 2");
+  other = expected;
+  other.jams = true;
+  EXPECT_EQ(testing::disagreement(word, expected, other), "jams");
 }
 
 }  // namespace

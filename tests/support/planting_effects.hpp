@@ -34,7 +34,7 @@ enum class EffectKind : std::uint8_t {
   crosstalk,  // channel j reads T_j + c T_{j+1}, the next one that its row has
   drift,      // readings grow with the order of rows, by 1 + d order / rows
   wave,       // and swing with it, by 1 + A sin(2 pi order / period)
-  // Of drives and sensors (planting_rig_effects.hpp).
+  // Of drives and sensors (planting_rig.hpp).
   motor_gain,
   motor_offset,
   constant_loss,
@@ -49,6 +49,7 @@ enum class EffectKind : std::uint8_t {
 const char* planted_name(EffectKind kind);
 const std::vector<EffectKind>& library_effects();
 const std::vector<EffectKind>& unknown_effects();
+const std::vector<EffectKind>& rig_effects();
 
 enum class EffectSize : std::uint8_t { small, medium, large };
 const char* size_name(EffectSize size);
