@@ -66,13 +66,25 @@ Performance performance(const StrandTally& tally, const FingerPulls& pulls) {
   return result;
 }
 
+bool yields(const Network& network, const TensionState& state, std::size_t strand) {
+  if (!network.shared || state.tension[strand] > 0) return false;
+  const Segment& own = network.segments[strand];
+  for (std::size_t i = 0; i < network.segments.size(); ++i) {
+    const Segment& other = network.segments[i];
+    const bool is_antagonist = other.kind == SegmentKind::strand && other.finger == own.finger &&
+                               other.extensor != own.extensor;
+    if (is_antagonist && state.tension[i] > 0) return true;
+  }
+  return false;
+}
+
 namespace {
 
 StrandTally strand_tally(const Network& network, const TensionState& state, Direction direction) {
   StrandTally tally;
   for (std::size_t i = 0; i < network.segments.size(); ++i) {
     const Segment& segment = network.segments[i];
-    if (segment.kind != SegmentKind::strand) continue;
+    if (segment.kind != SegmentKind::strand || yields(network, state, i)) continue;
     tally.add(state.tension[i],
               segment.way() * state.closing[static_cast<std::size_t>(segment.finger - 1)]);
   }

@@ -1,6 +1,7 @@
 // Measures how well a routing pulls the fingers in one grasp.
 //
-//   uniformity          min_i T_i / max_i T_i over the strands
+//   uniformity          min_i T_i / max_i T_i over the strands, but for slack flexors beside an
+//                       extensor that pulls, and the reverse
 //   finger uniformity   min_f P_f / max_f P_f over the fingers, P_f the sum over its flexors less
 //                       that over its extensor, or the reverse where it is greater;
 //                       to be used if some fingers have one strand (1x) and some two
@@ -49,6 +50,8 @@ Performance performance(const Network& network, const TensionState& state,
 // In a pull, with what finger_pulls gives.
 Performance performance(const Network& network, const TensionState& state,
                         const FingerPulls& pulls);
+// True if the strand is slack while its finger's antagonist pulls.
+bool yields(const Network& network, const TensionState& state, std::size_t strand);
 // Its motor efficiency alone.
 double motor_efficiency(const Network& network, const TensionState& state, Direction direction);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/performance.hpp"
 #include "numerics/random.hpp"
 #include "numerics/streams.hpp"
 
@@ -45,7 +46,7 @@ void ContactQuantileFinder::read(const Network& network, const TensionState& sta
   double work = 0;
   for (std::size_t i = 0; i < network.segments.size(); ++i) {
     const Segment& segment = network.segments[i];
-    if (segment.kind != SegmentKind::strand) continue;
+    if (segment.kind != SegmentKind::strand || yields(network, state, i)) continue;
     logs.push_back(log_of(state.tension[i]));
     work += state.tension[i] * segment.way() *
             state.closing[static_cast<std::size_t>(segment.finger) - 1];

@@ -93,6 +93,18 @@ TEST(SecondTendons, ExtensorsOpenTheFingersWhileTheFlexorsAreLetOut) {
   const Performance found = performance(solved.network, solved.state);
   EXPECT_DOUBLE_EQ(found.efficiency, sheath_ratio);
   EXPECT_EQ(found.finger_uniformity, 1);
+  EXPECT_EQ(found.uniformity, 1);
+}
+
+// 1 is pulled by its flexor alone, 2 by neither.
+TEST(SecondTendons, CountAsSlackInTheUniformityUnlessTheAntagonistPulls) {
+  const auto solved = solved_network("M-1x+M2-1e+M2-2x", Hardware{}, travels({1, -1}));
+  EXPECT_EQ(solved["T2"], 0);
+  EXPECT_EQ(performance(solved.network, solved.state).uniformity, 0);
+  const auto closing = solved_network("M-1x+M2-1e", Hardware{}, travels({1, -1}));
+  EXPECT_EQ(performance(closing.network, closing.state).uniformity, 1);
+  const auto flexors = solved_network("M-1x+M2-1x", Hardware{}, travels({1, 0}));
+  EXPECT_EQ(performance(flexors.network, flexors.state).uniformity, 0);
 }
 
 TEST(SecondTendons, OpposeEachOtherIfTheirFingerCanMoveNeitherWay) {
