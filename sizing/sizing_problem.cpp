@@ -43,7 +43,7 @@ GoalEvaluator::GoalEvaluator(const Routing& routing, Goal goal, GraspSet grasps,
     weights_[static_cast<Index>(g)] = grasps_[g].weight;
   }
   weights_ /= weights_.sum();
-  require_single_tendons(network_, to_word(routing_), "sizing");
+  require_single_tendons(network_, routing_, "sizing");
 }
 
 double GoalEvaluator::value(const Model& model) const {

@@ -188,8 +188,10 @@ int run(const ExploreInputs& inputs, const ExploreFlags& flags, const CLI::App& 
                   report.sweep ? "sweep.csv, " : "", report.result.record ? "shard.json, " : ""),
       flags.out, flags.format);
   if (!partial_note(report).empty()) return interrupted;
-  // A shard may have none where the whole has some.
-  const bool none_is_left = report.top.empty() && !report.result.record;
+  const bool any_was_actuated = report.result.evaluated + report.result.without_tensions.count > 0;
+  // A shard may have none that is actuated where the whole has some.
+  const bool may_answer = any_was_actuated || !report.result.record;
+  const bool none_is_left = may_answer && report.top.empty();
   return none_is_left || misses_target(report.target) ? answer_is_no : done;
 }
 

@@ -153,7 +153,7 @@ std::string mjcf(const Routing& routing, const Hardware& hardware, const MjcfOri
   require_no_springs(hardware, "none in an export to MuJoCo");
   const MechanicsBuilder mechanics(hardware);
   Network network = expand(routing);
-  require_single_tendons(network, to_word(routing), "the export");
+  require_single_tendons(network, routing, "the export");
   RopePlan plan = rope_plan(routing, network);
   RigLayout layout = rig_layout(network, hardware);
   const MjcfRig rig{std::move(network), std::move(plan), std::move(layout)};

@@ -241,7 +241,7 @@ ContactQuantiles DesignEvaluator::contact_quantiles() {
 void DesignEvaluator::find_outcome(const Routing& routing, const EvaluationScope& scope) {
   set_routing(routing);
   if (evaluates_hand(scope)) {
-    require_single_tendons(network_, to_word(routing), "the hand of the hardware file");
+    require_single_tendons(network_, routing, "the hand of the hardware file");
   }
   is_shared_ = shared_ && shared_->set_routing(routing);
   if (scope.indicators) given_up_equivalent_ = closing_alike_.given_up(network_, mechanics_);

@@ -17,6 +17,7 @@
 namespace reeve {
 namespace {
 
+using testing::network_of;
 using testing::solved_network;
 
 const double sheath_ratio = std::exp(-0.18 * 2 * std::numbers::pi);
@@ -156,7 +157,7 @@ TEST(SecondTendons, BesideSlackAreRefused) {
 TEST(SecondTendons, HaveTheStrandsOfTheirFinger) {
   const auto strands = [](const std::string& word) {
     std::string names;
-    for (const Segment& segment : testing::network_of(word).segments) {
+    for (const Segment& segment : network_of(word).segments) {
       if (segment.kind == SegmentKind::strand) names += segment_name(segment) + " ";
     }
     return names;
@@ -166,8 +167,8 @@ TEST(SecondTendons, HaveTheStrandsOfTheirFinger) {
   EXPECT_EQ(strands("M-1e"), "T2 ");
   EXPECT_EQ(strands("1x-P-1x"), "T1 T2 ");
   EXPECT_EQ(finger_count(parse_routing("1x-P-2x+M2-1e+M2-2e")), 2);
-  EXPECT_EQ(parts(testing::network_of("1x-P-2x+M2-1e+M2-2e")).anchors, 4);
-  EXPECT_EQ(parts(testing::network_of("1x-P-2x+M2-1e+M2-2e")).fixed_ends, 0);
+  EXPECT_EQ(parts(network_of("1x-P-2x+M2-1e+M2-2e")).anchors, 4);
+  EXPECT_EQ(parts(network_of("1x-P-2x+M2-1e+M2-2e")).fixed_ends, 0);
 }
 
 TEST(SecondTendons, HaveOneCanonicalWord) {
@@ -194,18 +195,18 @@ TEST(SecondTendons, HaveOneCanonicalWord) {
 TEST(SecondTendons, AreNamedWhereAStudyDoesNotKnowThem) {
   const auto said = [](const std::string& word) {
     return testing::input_error(
-        [&] { require_single_tendons(testing::network_of(word), word, "the export"); });
+        [&] { require_single_tendons(network_of(word), parse_routing(word), "the export"); });
   };
   EXPECT_EQ(said("M-2x+M-1x+M-2x"),
             "routing 'M-2x+M-1x+M-2x': finger 2 has a second flexor, which the export does not "
             "know: expected one flexor tendon on each finger");
   EXPECT_NE(said("M-1x+M2-1e").find("finger 1 has an extensor"), std::string::npos);
-  EXPECT_NO_THROW(require_single_tendons(testing::network_of("M-1-P-2-F+M-3x"), "", ""));
+  EXPECT_NO_THROW(require_single_tendons(network_of("M-1-P-2-F+M-3x"), {}, ""));
 }
 
 TEST(SecondTendons, CountTheirJamsWithAllCarriagesAlike) {
   const auto jams = [](const std::string& word) {
-    const Network network = testing::network_of(word);
+    const Network network = network_of(word);
     return JamFinder().grasps(network, mechanics(network, Hardware{}));
   };
   EXPECT_EQ(jams("1x-P-2x+M2-1x"), 1);  // finger 1 held stops M2

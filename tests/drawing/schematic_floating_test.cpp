@@ -187,7 +187,7 @@ std::string legend_of(const std::string& word, bool slack) {
       layout(expand(parse_routing(word)), {word, "", {}, true, true, slack});
   std::string names;
   for (const LegendItem& item : drawn.legend.items) {
-    constexpr std::array letters{'t', 'b', 's', 'F', 'M', 'x', 'Y', 'W', '>', '0'};
+    constexpr std::array letters{'t', 'b', 's', 'F', 'M', 'x', 'e', 'Y', 'W', '>', '0'};
     names += letters.at(static_cast<std::size_t>(item.symbol));
   }
   return names;
@@ -200,6 +200,7 @@ TEST(SchematicLegend, ListsWhatIsDrawnAndNothingElse) {
   EXPECT_EQ(legend_of("1-P-2-P-1", false), "tbs>");
   EXPECT_EQ(legend_of("M-W1+1x-W1-2x", false), "sMxW>");
   EXPECT_EQ(legend_of("M-Y1+1x-Y1-2x", false), "sMxY>");
+  EXPECT_EQ(legend_of("M-1x+M2-1e", false), "sMxe>");
 }
 
 TEST(FloatingSvg, DrawsEverySegmentOnceAndAnArrowForWhatMoves) {
