@@ -63,7 +63,8 @@ class Diagnosis {
         sample_(sample(data, options.hold_out, options.seed)) {
     nominal_.hardware = hardware;
     result_.model = nominal_;
-    static_cast<SampleCounts&>(result_) = sample_;
+    const SampleCounts& counts = sample_;
+    static_cast<SampleCounts&>(result_) = counts;
     note_what_the_model_doubts();
   }
 

@@ -69,8 +69,8 @@ std::vector<Lead> leads(const Sample& sample, const Problem& problem, const Mode
     }
   }
   std::ranges::stable_sort(result, std::greater{}, &Lead::evidence);
-  std::ranges::stable_partition(result,
-                                [](const Lead& lead) { return is_of_one_place(lead.effect); });
+  std::stable_partition(result.begin(), result.end(),
+                        [](const Lead& lead) { return is_of_one_place(lead.effect); });
   return result;
 }
 
