@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "causes/model.hpp"
 #include "diagnosis/dataset.hpp"
 #include "tests/support/planting.hpp"
 
