@@ -358,8 +358,8 @@ std::vector<Signature> shapes_on(const Routing& routing, std::uint8_t finger) {
   return shapes;
 }
 
-// Of all numbers 1 … k of the k fingers that tendons share, those with the least word. Fingers on
-// like tendons have neighbouring numbers.
+// Numbers the k fingers that tendons share by 1 … k, in the way that gives the least word. Fingers
+// on like tendons have neighbouring numbers.
 Routing least_numbering(const Routing& routing) {
   const std::vector<std::uint8_t> shared = second_tendons(routing);
   std::vector<std::pair<std::vector<Signature>, std::uint8_t>> fingers;

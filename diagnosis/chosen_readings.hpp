@@ -37,7 +37,8 @@ inline constexpr std::size_t most_readings = 4000;
 struct SampleCounts {
   std::size_t rows = 0;  // used, training and held out
   std::size_t runs = 0;
-  // Of a result: forecast by a model that has not seen them: sealed ones, or by the folds all.
+  // A result counts the runs that were forecast by a model that has not seen them: sealed ones,
+  // or all of them where the folds forecast.
   std::size_t held_out_runs = 0;
   std::size_t dropped_duplicates = 0;
   std::size_t thinned_rows = 0;  // beyond most_readings

@@ -25,8 +25,7 @@
 namespace reeve::core {
 
 // More fingers than these of one tree that has to be tried, or of a network that is split or
-// shared, are not
-// tried: 2^16 sets take a second.
+// shared, are not tried: 2^16 sets take a second.
 inline constexpr int most_fingers_tried = 16;
 
 // Keeps its memory: but for trees that are tried, nothing is allocated in the steady state.

@@ -34,7 +34,7 @@ struct SplitClosing {
   std::vector<char> jams;       // one per tendon
   std::vector<char> slack;      // one per tendon
   std::vector<double> block_travel;
-  // Of shared_kinematics.hpp:
+  // Only shared_closing (shared_kinematics.hpp) sets these two.
   TensionFault fault = TensionFault::none;
   int opposed = 0;  // finger whose tendons ask for two closings, if it jams so
 };

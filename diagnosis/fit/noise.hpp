@@ -68,8 +68,8 @@ Eigen::VectorXd deviations_if_near(const Dataset& dataset, const Noise& noise,
 std::optional<Noise> noise_without_model(const Dataset& dataset);
 // From what a model leaves of the readings.
 Noise noise_left_by(const Dataset& dataset, const Model& model);
-// Likewise within each mounting: beside what the mounting itself could have changed. Nothing where
-// that leaves too few readings.
+// The same noise within each mounting, beside what the mounting itself could have changed. Returns
+// nothing where that leaves too few readings.
 std::optional<Noise> noise_left_within_mountings(const Dataset& dataset, const Model& model,
                                                  const MountingModes& modes);
 

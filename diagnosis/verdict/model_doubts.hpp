@@ -1,5 +1,5 @@
-// What the hardware as it is given says of the readings before anything is fitted, with T the
-// readings and m their forecasts.
+// Doubts readings by the hardware as it is given, before anything is fitted. T are the readings, m
+// their forecasts.
 //
 // Channels that read in another unit than the motor's:
 //
@@ -38,7 +38,7 @@ namespace reeve::diagnosis {
 // A note for each unit. There have to be two other channels, or none.
 std::vector<DataNote> notes_on_channel_units(const Dataset& all, const Model& nominal);
 
-// Nothing if no run has so many odd rows.
+// Returns nothing if no run has so many odd rows.
 std::optional<DataNote> note_on_other_direction(const MeasuredData& data,
                                                 const std::vector<std::size_t>& readings,
                                                 const Model& nominal);
