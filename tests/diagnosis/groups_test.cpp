@@ -38,7 +38,7 @@ std::string measured_by(const Winch& rig, const Experiment& experiment) {
 MeasuredData by_winch(const Winch& a, const Winch& b, std::uint64_t seed) {
   Dice dice(seed);
   ExperimentNeeds needs;
-  needs.runs = 12;
+  needs.runs = 8;
   const Experiment experiment = random_experiment(needs, dice);
   std::istringstream of_a(measured_by(a, experiment)), of_b(measured_by(b, experiment));
   std::string text, line_a, line_b, last;

@@ -107,6 +107,7 @@ TEST(InOrderOfContents, MakesRunsHeldOutAndNoiseThatIsDrawnTheSame) {
   SKIP_UNDER_SANITIZERS();
   PlantingPlan plan;
   plan.effects = {EffectKind::sensor_gain};
+  plan.runs = 8;
   const std::string csv = plant(plan, 81).csv;
   DiagnoseOptions options;
   options.replicates = 100;

@@ -160,7 +160,7 @@ TEST(MemoryLimit, IsSaidToBeReached) {
   if (has_sanitizer()) GTEST_SKIP() << "sanitizers reserve more than any limit";
   int starved = 0;
   int unharmed = 0;
-  for (int limit_kB = 20000; limit_kB <= 80000 && unharmed < 2; limit_kB += 3000) {
+  for (int limit_kB = 20000; limit_kB <= 80000 && unharmed < 2; limit_kB += 6000) {
     SCOPED_TRACE(limit_kB);
     const TemporaryFolder folder;
     const std::string out = (folder.path() / "out").string();

@@ -89,7 +89,7 @@ TEST_F(DamagedStore, WithAShardThatWasNotExplored) {
 TEST_F(DamagedStore, StaysAsItIsWhereItIsRefused) {
   std::vector<std::size_t> places;
   for (std::size_t place = 0; place < 100; ++place) places.push_back(place);
-  for (std::size_t place = 100; place < whole_.size(); place += 2111) places.push_back(place);
+  for (std::size_t place = 100; place < whole_.size(); place += 8111) places.push_back(place);
   int refused = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::size_t place = places[i];

@@ -56,7 +56,6 @@ std::vector<Case> combined_cases() {
   return {{full_parts(), 4, {}, single_grasps(4)},
           {paper_parts(), 5, uneven_model(), single_grasps(5)},
           {testing::with_blocks(all_parts(), 1), 3, uneven_model(), single_grasps(3)},
-          {testing::with_blocks(all_parts(), 2), 3, {}, single_grasps(3)},
           {testing::barred(testing::with_blocks(paper_parts(), 2)), 3, uneven_model(),
            single_grasps(3)},
           {testing::with_blocks(all_parts(), 3), 2, {}, single_grasps(2)},

@@ -55,7 +55,7 @@ TEST(ExplorePruning, FindsWhatFilteringFinds) {
                                              {"sheaths<=1", "uniformity>=0.9999"},
                                              {"sheaths<=0"}}) {
     SCOPED_TRACE(texts.front());
-    for (const int fingers : {2, 3, 4}) {
+    for (const int fingers : {2, 3}) {
       ExploreOptions options = pruned_options(full_parts(), fingers);
       options.constraints = constraints_of(texts);
       expect_same_result(explore(options), filtered(options));

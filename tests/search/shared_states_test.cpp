@@ -27,7 +27,7 @@ struct SharedCase {
 std::vector<SharedCase> shared_cases() {
   return {{full_parts(), 4, {}, single_grasps(4)},
           {anchored(full_parts()), 3, uneven_model(), single_grasps(3)},
-          {with_blocks(all_parts(), 2), 3, uneven_model(), single_grasps(3)},
+          {with_blocks(all_parts(), 2), 2, uneven_model(), single_grasps(2)},
           {full_parts(), 3, {}, parse_grasps("none:2/2:0.5/3", 3)},
           {full_parts(), 3, {}, parse_grasps("2", 3)}};
 }

@@ -88,10 +88,10 @@ std::vector<PartSet> parts_with_sheaves() {
   return sets;
 }
 
-void expect_power_series(const std::vector<PartSet>& sets) {
+void expect_power_series(const std::vector<PartSet>& sets, int most_fingers) {
   for (const PartSet& parts : sets) {
     for (const FingerIdentity identity : {identical, distinct}) {
-      for (int fingers = 1; fingers <= 6; ++fingers) {
+      for (int fingers = 1; fingers <= most_fingers; ++fingers) {
         for (int blocks = 0; blocks <= 4; ++blocks) {
           EXPECT_EQ(exactly(parts, blocks, fingers, identity),
                     numbers_of(count_trees(counted_with_trees(parts), fingers, blocks,
@@ -103,10 +103,10 @@ void expect_power_series(const std::vector<PartSet>& sets) {
   }
 }
 
-TEST(TreeCounts, AreThoseOfThePowerSeries) { expect_power_series(various_parts()); }
+TEST(TreeCounts, AreThoseOfThePowerSeries) { expect_power_series(various_parts(), 6); }
 
 TEST(TreeCounts, OfBecketsAndDoublePassesAreThoseOfThePowerSeries) {
-  expect_power_series(parts_with_sheaves());
+  expect_power_series(parts_with_sheaves(), 4);
 }
 
 void expect_brute_force(const PartSet& parts, int fingers, int blocks, FingerIdentity identity) {

@@ -89,8 +89,7 @@ TEST(JointTolerance, OfDimensionsThatDoNothingIsATenthOfTheirBounds) {
 }
 
 TEST(JointTolerance, OfTwoDimensionsIsThatOfADenseGrid) {
-  for (const char* goal : {"uniformity*efficiency", "uniformity_worst", "efficiency_worst",
-                           "torsional_balance*efficiency_worst"}) {
+  for (const char* goal : {"uniformity_worst", "torsional_balance*efficiency_worst"}) {
     SCOPED_TRACE(goal);
     SizingOptions options = sizing(goal, {"sheath_angle=3..9"});
     options.robust = true;
