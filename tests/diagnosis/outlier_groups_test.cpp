@@ -19,7 +19,6 @@ namespace reeve::testing {
 namespace {
 
 constexpr std::uint64_t quiet_seed = 81;
-constexpr int few_runs = 8;
 
 DiagnosisResult diagnosed_far(const MeasuredData& data) {
   DiagnoseOptions options;
@@ -73,7 +72,7 @@ void expect_followed(const MeasuredData& data, const std::string& channel, std::
 // Cycles and the order of the rows rise from run to run: they tell the same story.
 TEST(OutlierGroups, AreNoneWhereASensorStepsWhichIsALaw) {
   SKIP_UNDER_SANITIZERS();
-  const MeasuredData data = planted_runs({.runs = few_runs}, quiet_seed);
+  const MeasuredData data = planted_runs({}, quiet_seed);
   const std::size_t first = data.runs.size() / 2;
   const double step_N = -6;
   const DiagnosisResult result =
@@ -94,14 +93,14 @@ TEST(OutlierGroups, AreNoneWhereASensorStepsWhichIsALaw) {
 // More of small loads, less of great ones.
 TEST(OutlierGroups, IsASensorThatSticksInSomeRuns) {
   SKIP_UNDER_SANITIZERS();
-  const MeasuredData data = planted_runs({.runs = few_runs}, quiet_seed);
+  const MeasuredData data = planted_runs({}, quiet_seed);
   const std::size_t first = data.runs.size() / 2;
   expect_followed(with_fault(data, 1, first, [](double, std::size_t) { return 4.3; }), "T2", first);
 }
 
 // As those of others do, but twenty times as far.
 TEST(OutlierGroups, IsASensorThatScattersMoreAndNothingToExplain) {
-  const MeasuredData data = planted_runs({.runs = few_runs}, quiet_seed);
+  const MeasuredData data = planted_runs({}, quiet_seed);
   const DiagnosisResult result =
       diagnosed_far(with_fault(data, 1, 0, [](double tension_N, std::size_t index) {
         return tension_N * std::exp(0.3 * normal(5, 0x4a, index));
@@ -115,7 +114,8 @@ TEST(OutlierGroups, IsASensorThatScattersMoreAndNothingToExplain) {
 TEST(OutlierGroups, AreNoneByHeavyTailsAndMountings) {
   SKIP_UNDER_SANITIZERS();
   for (std::uint64_t seed = 3; seed <= 4; ++seed) {
-    PlantingPlan plan{.runs = few_runs};
+    PlantingPlan plan;
+    plan.runs = 8;
     plan.noise.tail_degrees = seed % 2 == 0 ? 3 : 0;
     plan.noise.mounted_exponent = seed % 4 < 2 ? 0.08 : 0.03;
     plan.noise.mounted_gain = seed % 3 == 0 ? 0.01 : 0;
