@@ -83,6 +83,7 @@ void ModelSolver::set_friction(const Mechanics& plain) {
     gather(plain_.length, seized_.segment_from);
     if (!plain_.spools.empty()) gather(plain_.spools, seized_.segment_from);
     if (!plain_.slack_mm.empty()) gather(plain_.slack_mm, seized_.segment_from);
+    if (!plain_.guided_tips.empty()) gather(plain_.guided_tips, seized_.contact_from);
     gather(plain_.phi, seized_.contact_from);
     gather(plain_.decay, seized_.contact_from);
   }

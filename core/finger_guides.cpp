@@ -77,7 +77,7 @@ FingerPullArray finger_pulls_of(const Network& network, const Mechanics& mechani
     if (contact.place != ContactPlace::tip) continue;
     FingerPull& pull = pulls[static_cast<std::size_t>(contact.finger)];
     pull.tip_decay = mechanics.decay[k];
-    const double plain = mechanics.guided_phi.empty() ? 0 : mechanics.guided_phi[k];
+    const double plain = mechanics.guided_tips.empty() ? 0 : mechanics.guided_tips[k].phi;
     if (plain > 0) pull.guide_factor = mechanics.phi[k] / plain;
   }
   return pulls;

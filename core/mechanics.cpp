@@ -166,7 +166,7 @@ void MechanicsBuilder::apply(const Network& network, Mechanics& mechanics) const
   mechanics.closing.assign(static_cast<std::size_t>(network.fingers), 1.0);
   if (has_angles || !by_finger_.empty() || !by_contact_.empty())
     apply_overrides(network, mechanics);
-  mechanics.guided_phi.clear();
+  mechanics.guided_tips.clear();
   if (!guide_exponent_.empty()) add_guides(network, mechanics);
   if (hardware_.contact_draw) apply_scatter(network, mechanics);
   if (!excursion_.empty()) close_by_excursions(mechanics);
@@ -205,13 +205,14 @@ void MechanicsBuilder::apply_spools(const Network& network, Mechanics& mechanics
 }
 
 void MechanicsBuilder::add_guides(const Network& network, Mechanics& mechanics) const {
-  mechanics.guided_phi.resize(network.contacts.size(), 0.0);
+  mechanics.guided_tips.resize(network.contacts.size());
   for (std::size_t k = 0; k < network.contacts.size(); ++k) {
     const Contact& contact = network.contacts[k];
     if (contact.place != ContactPlace::tip) continue;
-    mechanics.phi[k] += guide_exponent_[static_cast<std::size_t>(contact.finger) - 1];
+    const double guides = guide_exponent_[static_cast<std::size_t>(contact.finger) - 1];
+    mechanics.phi[k] += guides;
     mechanics.decay[k] = std::exp(-mechanics.phi[k]);
-    mechanics.guided_phi[k] = mechanics.phi[k];
+    mechanics.guided_tips[k] = {mechanics.phi[k], guides};
     mechanics.in_range &= mechanics.phi[k] <= max_exponent;
   }
 }

@@ -18,6 +18,13 @@
 
 namespace reeve::core {
 
+// Exponents of a tip and of the guides of its finger, before contacts scatter and a model changes
+// them. Both are 0 of a contact that is no tip.
+struct GuidedTip {
+  double phi = 0;     // of the tip, with those of the guides that both strands pass
+  double guides = 0;  // the part of it that is of the guides
+};
+
 // Arrays parallel to the network's segments, contacts and fingers.
 struct Mechanics {
   std::vector<double> length;   // segment lengths, mm
@@ -28,9 +35,7 @@ struct Mechanics {
   // Spools of the segments: travel of a motor-side end over that of its carriage. Empty if all are
   // 1.
   std::vector<double> spools{};
-  // phi of the tips with the guides of their fingers, before contacts scatter and a model changes
-  // them. Empty if no finger has guides.
-  std::vector<double> guided_phi{};
+  std::vector<GuidedTip> guided_tips{};  // of the contacts; empty if no finger has guides
   // Slack of tendons in mm, at the first motor-side segment of each, and the carriage travel D that
   // it is a part of. Empty if no tendon has any.
   std::vector<double> slack_mm{};

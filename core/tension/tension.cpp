@@ -14,6 +14,9 @@ namespace {
 // Tolerance of the inequality between rounded products that decides if a loop may be opened.
 constexpr double cone_tolerance = 1e-12;
 
+// Motions nearer than this share of a finger's closing are alike.
+constexpr double motion_rounding = 1e-9;
+
 // Returns the excess over the capstan cone, in the ratio of two neighbouring tensions; <= 0:
 // inside.
 double cone_excess(double left, double right, double decay) {
@@ -64,22 +67,42 @@ void TensionSolver::solve_open(const TendonSpan& tendon, const Mechanics& mechan
   const std::size_t n = tendon.segments;
   segments_.clear();
   contacts_.clear();
+  places_.clear();
+  std::size_t before = 0;
   for (std::size_t j = 0; j < n; ++j) {
     const std::size_t k = first + j < n ? first + j : first + j - n;
+    places_.push_back(segments_.size());
     segments_.push_back(
         {mechanics.length[tendon.first_segment + k], motion_.take_up[tendon.first_segment + k]});
-    if (j + 1 < n) {
-      const std::size_t contact = tendon.first_contact + k;
-      contacts_.push_back({mechanics.decay[contact], slide_of(motion_.slip[contact])});
-    }
+    if (j > 0) add_contact(tendon.first_contact + before, mechanics);
+    before = k;
   }
-  chain_tension_.resize(n);
+  chain_tension_.resize(segments_.size());
   chain_.solve(segments_, contacts_, chain_tension_);
   for (std::size_t j = 0; j < n; ++j) {
     const std::size_t k = first + j < n ? first + j : first + j - n;
-    state.in_range &= std::isnormal(chain_tension_[j]);
-    state.tension[tendon.first_segment + k] = chain_tension_[j];
+    const double tension = chain_tension_[places_[j]];
+    state.in_range &= std::isnormal(tension);
+    state.tension[tendon.first_segment + k] = tension;
   }
+}
+
+// Between the last two segments. A strand that rests at its palm end has its guides apart, and
+// between them and the tip a stretch without length, which takes up what the strand does.
+void TensionSolver::add_contact(std::size_t contact, const Mechanics& mechanics) {
+  const ChainContact tip{mechanics.decay[contact], slide_of(motion_.slip[contact])};
+  if (resting_guides_.empty() || resting_guides_[contact] == 1) {
+    contacts_.push_back(tip);
+    return;
+  }
+  const ChainContact guides{resting_guides_[contact], Slide::no};
+  const bool rests_left = tip.slide == Slide::to_right;
+  ChainSegment& strand = *(segments_.end() - (rests_left ? 2 : 1));
+  const ChainSegment behind{0, std::exchange(strand.take_up, 0)};
+  segments_.insert(segments_.end() - 1, behind);
+  ++places_.back();
+  contacts_.push_back(rests_left ? guides : tip);
+  contacts_.push_back(rests_left ? tip : guides);
 }
 
 // The forces at a loop's contacts are determined up to one that goes round: it can be chosen such
@@ -136,6 +159,33 @@ void TensionSolver::solve_tendons(const Network& network, const Mechanics& mecha
   }
 }
 
+// Where a finger closes or opens by more than slides round its tip, both strands slide the same way
+// past its guides. Each loses as much there, so that between the palm ends the tip alone counts. By
+// just as much: one strand rests at its palm end, and there its guides hold what they can.
+const Mechanics& TensionSolver::past_guides(const Network& network, const Mechanics& mechanics) {
+  resting_guides_.clear();
+  if (mechanics.guided_tips.empty()) return mechanics;
+  past_guides_ = mechanics;
+  resting_guides_.assign(network.contacts.size(), 1.0);
+  for (const TendonSpan& tendon : network.tendons) {
+    for (std::size_t k = tendon.first_contact; k < tendon.first_contact + tendon.contacts; ++k) {
+      const GuidedTip& tip = mechanics.guided_tips[k];
+      if (tip.guides == 0) continue;
+      const auto finger = static_cast<std::size_t>(network.contacts[k].finger) - 1;
+      const double more = std::abs(motion_.slip[k]) - motion_.closing[finger];
+      const double rounding = motion_rounding * motion_.closing[finger];
+      const bool rests = motion_.closing[finger] > 0 && std::abs(more) <= rounding;
+      if ((more > 0 && !rests) || motion_.closing[finger] == 0) continue;
+      if (rests && is_tied(network, tendon)) continue;
+      const double guides = mechanics.phi[k] * tip.guides / tip.phi;
+      if (rests) resting_guides_[k] = std::exp(-guides / 2);
+      past_guides_.phi[k] -= rests ? guides / 2 : guides;
+      past_guides_.decay[k] = std::exp(-past_guides_.phi[k]);
+    }
+  }
+  return past_guides_;
+}
+
 void TensionSolver::solve_in_motion(const Network& network, const Mechanics& mechanics,
                                     TensionState& state) {
   state.tension.resize(network.segments.size());
@@ -143,7 +193,7 @@ void TensionSolver::solve_in_motion(const Network& network, const Mechanics& mec
   state.fault = motion_.fault;
   state.opposed = motion_.opposed;
   state.in_range = mechanics.in_range && state.fault == TensionFault::none;
-  solve_tendons(network, mechanics, state);
+  solve_tendons(network, past_guides(network, mechanics), state);
   state.slip.swap(motion_.slip);
   state.closing.swap(motion_.closing);
   state.block_travel.swap(motion_.block_travel);

@@ -71,11 +71,13 @@ class TensionSolver {
                             Direction direction, TensionState& state);
 
  private:
+  const Mechanics& past_guides(const Network& network, const Mechanics& mechanics);
   void solve_in_motion(const Network& network, const Mechanics& mechanics, TensionState& state);
   void solve_tendons(const Network& network, const Mechanics& mechanics, TensionState& state);
   void solve_tendon(const TendonSpan& tendon, const Mechanics& mechanics, TensionState& state);
   void solve_open(const TendonSpan& tendon, const Mechanics& mechanics, std::size_t first,
                   TensionState& state);
+  void add_contact(std::size_t contact, const Mechanics& mechanics);
   void solve_tree(const Network& network, const Mechanics& mechanics, std::size_t tree,
                   TensionState& state);
   bool begins_tree(const Network& network, std::size_t tendon) const;
@@ -87,7 +89,10 @@ class TensionSolver {
   TreeTension tree_tension_;
   std::vector<ChainSegment> segments_;
   std::vector<ChainContact> contacts_;
+  std::vector<std::size_t> places_;  // of the segments in the chain
   std::vector<double> chain_tension_;
+  Mechanics past_guides_;
+  std::vector<double> resting_guides_;  // e^{-S} of those of a strand that rests; 1 of the others
 };
 
 // Returns the tension of each motor that the network has.

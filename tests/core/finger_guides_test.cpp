@@ -80,6 +80,27 @@ TEST(FingerGuides, LoadBothStrandsFromThePalmWhereBothArePulled) {
   EXPECT_NEAR(pull.behind_guide_N(0.7), 0.7 * pull.sum_N(), 1e-12);
 }
 
+// Both strands slide to the palm past the guides, so that friction there costs the fingertip what it
+// takes from each strand, and the motor no less for it.
+TEST(FingerGuides, ThatBothStrandsSlideToThePalmPastChangeNothingBetweenThem) {
+  Hardware hardware = hand_of({guided_finger()});
+  hardware.tube.mu = 0;
+  hardware.sheath.mu = 0;
+  hardware.contacts = {{"a", "T1", 0.5, 2.0}};
+  double before_N = 0;
+  for (const double mu : {0.0, 0.1, 0.2}) {
+    for (FingerJoint& joint : hardware.fingers[0].parts.joints) joint.mu = mu;
+    const FingerPull pull = pulls_in("M-1-M", hardware, {})[1];
+    EXPECT_NEAR(pull.left_N, 1 / (1 + std::exp(1.0)), 1e-12);
+    EXPECT_NEAR(pull.right_N, pull.left_N, 1e-12);
+    const double last = std::exp(-mu * in_rad(90));
+    EXPECT_NEAR(pull.behind_guide_N(last), last * pull.sum_N(), 1e-12);
+    const double force_N = motor_force(hand(hardware)->finger(1), true, pull);
+    EXPECT_GT(force_N, before_N);
+    before_N = force_N;
+  }
+}
+
 // A strand that hangs on no tip contact has only its own palm end.
 TEST(FingerGuides, LoadAStrandThatIsTiedAtTheFingertipFromThePalm) {
   const FingerPull pull = pulls_in("M-1x", hand_of({guided_finger()}), {})[1];
