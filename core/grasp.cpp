@@ -292,13 +292,13 @@ bool treats_fingers_alike(const GraspSet& grasps, int fingers) {
   return true;
 }
 
-std::vector<CarriageTravels> travels_of(const GraspSet& grasps) {
-  std::vector<CarriageTravels> travels;
+std::vector<Grasp> opened(const GraspSet& grasps) {
+  std::vector<Grasp> open_grasps;
   for (const auto& [grasp, weight] : grasps) {
-    if (std::find(travels.begin(), travels.end(), grasp.carriages) != travels.end()) continue;
-    travels.push_back(grasp.carriages);
+    const Grasp open{0, grasp.carriages, grasp.locked};
+    if (std::ranges::find(open_grasps, open) == open_grasps.end()) open_grasps.push_back(open);
   }
-  return travels;
+  return open_grasps;
 }
 
 bool treats_motors_alike(const GraspSet& grasps) {

@@ -56,8 +56,8 @@ void add_strokes(const MotorGroup& group, const Grasp& grasp, double way_mm, Han
 }
 
 HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                       Kinematics& kinematics, Motion& motion, const CarriageTravels& carriages) {
-  return close_hand(hand, network, mechanics, carriages, kinematics, motion,
+                       Kinematics& kinematics, Motion& motion, const Grasp& open) {
+  return close_hand(hand, network, mechanics, open, kinematics, motion,
                     [](Grasp, double, double, const std::vector<double>&) {});
 }
 

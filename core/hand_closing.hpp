@@ -12,6 +12,8 @@
 // A tendon with slack s, whose motor sides take in m D, closes nothing before D = s / m; a spring
 // in series stretches by none of the stroke.
 //
+// A locked end takes nothing in.
+//
 // With several motors this is D of each group of them (hand_pulls.hpp), whose carriages travel v_c
 // D as the grasp says. No group's carriages are blocked by another group.
 //
@@ -100,15 +102,16 @@ double close_fingers(const Hand& hand, const Network& network, const Mechanics& 
 void add_strokes(const MotorGroup& group, const Grasp& grasp, double way_mm, HandClosing& closing);
 
 // Calls on_phase(grasp, D before, travel in mm, closings per travel) for each stretch of the way in
-// which the same fingers close, group of motors by group. Keeps the memory of `motion`.
+// which the same fingers close, group of motors by group. `open` holds no finger: it says how
+// carriages travel and which ends are locked. Keeps the memory of `motion`.
 template <typename OnPhase>
 HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                       const CarriageTravels& carriages, Kinematics& kinematics, Motion& motion,
+                       const Grasp& open, Kinematics& kinematics, Motion& motion,
                        OnPhase on_phase) {
   HandClosing closing;
   const MotorGroups groups = motor_groups(network);
   for (const MotorGroup& group : groups) {
-    const Grasp alone = pulling_alone(group, groups, {0, carriages, 0});
+    const Grasp alone = pulling_alone(group, groups, open);
     const double way_mm = close_fingers(hand, network, mechanics, alone, kinematics, motion,
                                         on_phase, closing.closed);
     add_strokes(group, alone, way_mm, closing);
@@ -121,7 +124,6 @@ HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics
 }
 
 HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                       Kinematics& kinematics, Motion& motion,
-                       const CarriageTravels& carriages = {});
+                       Kinematics& kinematics, Motion& motion, const Grasp& open = {});
 
 }  // namespace reeve::core

@@ -184,7 +184,7 @@ class HandStudy {
       }
     }
     if (const auto stroke = hand_.motor.stroke_mm) {
-      shown.stroke_reach = stroke_reach(hand_, network_, plain_, travels_of(grasps), *stroke);
+      shown.stroke_reach = stroke_reach(hand_, network_, plain_, opened(grasps), *stroke);
     }
   }
 
@@ -203,11 +203,11 @@ class HandStudy {
   }
 
   // Adds work that reaches the fingers, J per N of motor tension. Several motors have no one force.
-  HandClosing closing_of(const CarriageTravels& carriages, int motors, double& to_fingers) {
+  HandClosing closing_of(const Grasp& open, int motors, double& to_fingers) {
     Kinematics kinematics;
     Motion motion;
     return close_hand(
-        hand_, network_, plain_, carriages, kinematics, motion,
+        hand_, network_, plain_, open, kinematics, motion,
         [&](Grasp at_end, double before_mm, double travel_mm, const std::vector<double>& closings) {
           if (motors > 1 || *std::ranges::max_element(closings) == 0) return;
           // How tendons behind slack share the carriage changes on the way: as in its middle.
@@ -228,8 +228,8 @@ class HandStudy {
     Kinematics kinematics;
     Motion motion;
     for (int motor = 0; motor < motors; ++motor) {
-      CarriageTravels alone{static_cast<std::uint8_t>(motors), {}};
-      alone.over_D[static_cast<std::size_t>(motor)] = 1;
+      Grasp alone{0, {static_cast<std::uint8_t>(motors), {}}, 0};
+      alone.carriages.over_D[static_cast<std::size_t>(motor)] = 1;
       closings.push_back(close_hand(hand_, network_, plain_, kinematics, motion, alone));
     }
     return closings;
@@ -241,8 +241,8 @@ class HandStudy {
     double to_fingers = 0;
     FingerArray closed;
     closed.fill(1);
-    for (const CarriageTravels& carriages : travels_of(grasps)) {
-      const HandClosing closing = closing_of(carriages, shown.motors, to_fingers);
+    for (const Grasp& open : opened(grasps)) {
+      const HandClosing closing = closing_of(open, shown.motors, to_fingers);
       demand.closure = std::min(demand.closure, closing.closure);
       for (std::size_t m = 0; m < max_carriages; ++m) {
         demand.strokes_mm[m] = std::max(demand.strokes_mm[m], closing.strokes_mm[m]);
@@ -280,15 +280,15 @@ double fastest(const CarriageTravels& carriages) {
 }
 
 // The motors stop when one of a group has used its stroke up.
-StrokeReach reach_of_travels(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                             const CarriageTravels& carriages, double limit_mm) {
+StrokeReach reach_from(const Grasp& open, const Hand& hand, const Network& network,
+                       const Mechanics& mechanics, double limit_mm) {
   StrokeReach reach;
   reach.closed.assign(static_cast<std::size_t>(network.fingers), 0.0);
   Kinematics kinematics;
   Motion motion;
   double used_mm = 0;
   close_hand(
-      hand, network, mechanics, carriages, kinematics, motion,
+      hand, network, mechanics, open, kinematics, motion,
       [&](Grasp grasp, double before_mm, double travel_mm, const std::vector<double>& closings) {
         if (before_mm == 0) used_mm = 0;
         const double most = fastest(grasp.carriages);
@@ -328,11 +328,11 @@ void add_grasp(const Hand& hand, int fingers, Grasp grasp, const HandPulls& pull
 }
 
 StrokeReach stroke_reach(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                         const std::vector<CarriageTravels>& travels, double limit_mm) {
+                         const std::vector<Grasp>& open_grasps, double limit_mm) {
   StrokeReach reach;
   reach.closed.assign(static_cast<std::size_t>(network.fingers), 1.0);
-  for (const CarriageTravels& carriages : travels) {
-    const StrokeReach one = reach_of_travels(hand, network, mechanics, carriages, limit_mm);
+  for (const Grasp& open : open_grasps) {
+    const StrokeReach one = reach_from(open, hand, network, mechanics, limit_mm);
     reach.stroke_mm = std::max(reach.stroke_mm, one.stroke_mm);
     for (std::size_t f = 0; f < reach.closed.size(); ++f) {
       reach.closed[f] = std::min(reach.closed[f], one.closed[f]);

@@ -67,7 +67,7 @@ void add_grasp(const Hand& hand, int fingers, Grasp grasp, const HandPulls& pull
 
 // The mechanics without the effects of a model, as for the whole stroke.
 StrokeReach stroke_reach(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                         const std::vector<CarriageTravels>& travels, double limit_mm);
+                         const std::vector<Grasp>& open_grasps, double limit_mm);
 
 struct ShownFingerForce {
   int finger = 0;

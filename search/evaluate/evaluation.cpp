@@ -70,7 +70,7 @@ DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps, Score scor
       builder_(possible_hardware(model)),
       hand_(hand(model.hardware)),
       grasps_(std::move(grasps)),
-      travels_(travels_of(grasps_)),
+      open_grasps_(opened(grasps_)),
       score_(std::move(score)),
       prices_(std::move(prices)) {
   if (hand_) require_carriages_that_pull(grasps_);
@@ -158,9 +158,9 @@ bool DesignEvaluator::evaluates_hand(const EvaluationScope& scope) const {
 
 HandOutcome DesignEvaluator::hand_outcome() {
   HandOutcome outcome{0, 1, hand_->motor.close_s, {}};
-  for (const CarriageTravels& travels : travels_) {
+  for (const Grasp& open : open_grasps_) {
     const HandClosing closing =
-        close_hand(*hand_, network_, mechanics_, kinematics_, motion_, travels);
+        close_hand(*hand_, network_, mechanics_, kinematics_, motion_, open);
     outcome.closure = std::min(outcome.closure, closing.closure);
     for (std::size_t motor = 0; motor < max_carriages; ++motor) {
       double& stroke = outcome.strokes_mm[motor];

@@ -99,7 +99,7 @@ class DesignEvaluator {
   MechanicsBuilder builder_;
   std::optional<Hand> hand_;
   GraspSet grasps_;
-  std::vector<CarriageTravels> travels_;  // of the grasps, each once
+  std::vector<Grasp> open_grasps_;
   Score score_;
   std::optional<PartPrices> prices_;
   Network network_;

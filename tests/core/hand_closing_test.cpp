@@ -29,11 +29,20 @@ Hardware hand_with(const std::vector<double>& excursions_mm) {
   return hand_of(fingers);
 }
 
-HandClosing closing_of(const std::string& word, const Hardware& hardware) {
+HandClosing closing_of(const std::string& word, const Hardware& hardware, const Grasp& open = {}) {
   const Network net = network_of(word);
   Kinematics kinematics;
   Motion motion;
-  return close_hand(*hand(hardware), net, mechanics(net, hardware), kinematics, motion);
+  return close_hand(*hand(hardware), net, mechanics(net, hardware), kinematics, motion, open);
+}
+
+// It is then fixed, as one at F is.
+TEST(HandClosing, WithALockedEndIsThatOfATendonThatIsFixedThere) {
+  const Hardware hardware = hand_with({10, 10});
+  const HandClosing locked = closing_of("M-1-T-2-M", hardware, {0, {}, 2});
+  EXPECT_DOUBLE_EQ(locked.stroke_mm, closing_of("M-1-T-2-F", hardware).stroke_mm);
+  EXPECT_DOUBLE_EQ(locked.stroke_mm, 40);
+  EXPECT_EQ(locked.closure, 1);
 }
 
 TEST(HandClosing, EndsOfUnequalSpoolsCloseFingersOfUnequalExcursionsTogether) {

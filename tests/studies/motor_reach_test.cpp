@@ -149,5 +149,21 @@ TEST(StrokeReach, NamesTheFingerThatClosesLeast) {
   EXPECT_EQ(hand.stroke_reach->last, std::vector<int>{2});
 }
 
+// Motor, stroke and work are those of the same tendon fixed at its second end.
+TEST(HandDemand, WithALockedEndIsThatOfATendonThatIsFixedThere) {
+  const Hardware hardware =
+      with_motor(hand_of({simple_finger(10, 57.3, 50, 2), simple_finger(10, 57.3, 50, 2)}), 20, 12);
+  const auto shown = [&](const std::string& word, const Grasp& grasp) {
+    return *studies::shown_hand(expand(parse_routing(word)), word, Model{hardware}, {{grasp, 1}});
+  };
+  const ShownHand locked = shown("M-1-T-2-M", {0, {}, 2});
+  const ShownHand fixed = shown("M-1-T-2-F", {});
+  EXPECT_NEAR(locked.demand.force_N, fixed.demand.force_N, 1e-9);
+  EXPECT_NEAR(locked.demand.stroke_mm, fixed.demand.stroke_mm, 1e-9);
+  EXPECT_NEAR(locked.demand.work_J, fixed.demand.work_J, 1e-9);
+  EXPECT_NEAR(locked.demand.friction_J, fixed.demand.friction_J, 1e-9);
+  EXPECT_NEAR(locked.stroke_reach->closure, fixed.stroke_reach->closure, 1e-9);
+}
+
 }  // namespace
 }  // namespace reeve
