@@ -122,7 +122,7 @@ Document rank_document(const RankReport& report, const ListColumns& wanted) {
     const int fingers = finger_count(report.designs.front().routing);
     append(lines, note_lines(model_notes(report.model, fingers)));
   }
-  if (report.uncertainty || report.margins) {
+  if (report.uncertainty || report.margins || report.motor) {
     const Hardware nominal = effective_hardware(report.model);
     append(lines, note_lines(range_notes(nominal, report.ranges)));
   }

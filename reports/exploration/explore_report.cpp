@@ -239,6 +239,8 @@ std::vector<std::string> notes(const ExploreReport& report) {
   }
   if (report.uncertainty) {
     append(notes, range_notes(hardware, report.uncertainty->ranges));
+  } else if (report.motor) {
+    append(notes, range_notes(hardware, report.motor->ranges));
   }
   if (options.generator.identity == FingerIdentity::distinct) return notes;
   if (!treats_motors_alike(options.grasps)) {

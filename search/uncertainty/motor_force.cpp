@@ -51,6 +51,7 @@ std::optional<MotorForce> motor_force(const Routing& routing, const UncertaintyO
       .p95_N = quantile(routing, options),
       .draws = options.draws,
       .seed = options.seed,
+      .ranges = options.ranges,
       .stroke_mm = value(values, Objective::stroke),
       .closure = value(values, Objective::closure),
       .least_work_J = least_work_J(options.nominal.hardware, finger_count(routing), options.grasps),

@@ -45,6 +45,7 @@ struct MotorForce {
   double p95_N = 0;
   std::size_t draws = 0;
   std::uint64_t seed = 0;
+  UncertaintyRanges ranges{};  // that the draws are of
   double stroke_mm = 0;  // infinite if the carriage cannot move from the open hand
   double closure = 1;    // at that stroke; below 1 if the carriage is then blocked
   double least_work_J = 0;
