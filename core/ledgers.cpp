@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/plates.hpp"
+
 namespace reeve::core {
 namespace {
 
@@ -100,7 +102,7 @@ void BlockLedger::pass(const PlacedWalk& walk) {
     if (is_tail(placed.token.kind)) {
       entry.tail = true;
     } else if (std::exchange(entry.pulled, true) && placed.token.kind == TokenKind::bar_arms) {
-      word_.fail(placed.at, {.what = quoted_text(placed.at.text) + three_ties});
+      word_.fail(placed.at, {.what = quoted_text(placed.at.text) + four_ties});
     }
   }
 }
