@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/plates.hpp"
-
 namespace reeve::core {
 namespace {
+
+// Why a bar, or the plate that two bars are, is refused with more ties.
+constexpr const char* four_ties =
+    ": a rigid plate balances one force and two moments, which leave the tensions of four ties "
+    "undetermined; three bars determine them, as in 1x-W1-2x+3x-W2-4x+W1-W3-W2+W3-M";
 
 bool is_bar(std::size_t key) { return key >= static_cast<std::size_t>(max_blocks); }
 

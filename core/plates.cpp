@@ -15,9 +15,10 @@ bool is_arms(const PlacedToken& placed) { return placed.token.kind == TokenKind:
 template <typename Visit>
 void for_each_third_tie(std::vector<PlacedWalk>& walks, Visit visit) {
   for (PlacedWalk& walk : walks) {
-    // Back to front: what is inserted at the back leaves the front where it is.
+    if (walk.size() == 1) continue;  // refused later
+    // What is inserted at the back leaves the front where it is.
     if (is_arms(walk.back())) visit(walk, walk.size() - 1);
-    if (walk.size() > 1 && is_arms(walk.front())) visit(walk, std::size_t{0});
+    if (is_arms(walk.front())) visit(walk, std::size_t{0});
   }
 }
 
@@ -32,9 +33,6 @@ Numbers second_bars(const Word& word, std::vector<PlacedWalk>& walks) {
   Numbers second{};
   for_each_third_tie(walks, [&](const PlacedWalk& walk, std::size_t i) {
     const PlacedToken& tie = walk[i];
-    if (second[tie.token.block] != 0) {
-      word.fail(tie.at, {.what = quoted_text(tie.at.text) + four_ties});
-    }
     const auto free = std::find(taken.begin() + 1, taken.end(), false);
     if (free == taken.end()) {
       word.fail(tie.at, {.what = fmt::format("{}: a plate counts as two bars, and there are more "
@@ -51,26 +49,25 @@ Numbers second_bars(const Word& word, std::vector<PlacedWalk>& walks) {
 
 void replace_plates(const Word& word, std::vector<PlacedWalk>& walks) {
   const Numbers second = second_bars(word, walks);
-  Numbers arms{};
+  std::array<bool, max_blocks + 1> has_arms{};
   for (PlacedWalk& walk : walks) {
     for (std::size_t i = 1; i + 1 < walk.size(); ++i) {
       if (!is_arms(walk[i])) continue;
       std::uint8_t& number = walk[i].token.block;
-      ++arms[number];
+      has_arms[number] = true;
       if (second[number] != 0) number = second[number];
     }
   }
   for_each_third_tie(walks, [&](PlacedWalk& walk, std::size_t i) {
-    PlacedToken tie = walk[i];
-    const int number = tie.token.block;
-    if (arms[static_cast<std::size_t>(number)] == 0) {
+    const PlacedToken tie = walk[i];
+    const std::uint8_t number = tie.token.block;
+    if (!has_arms[number]) {
       word.fail(tie.at, {.what = fmt::format("{} is the third tie of a plate without the other "
                                              "two: they are the neighbours of W{} inside a walk, "
                                              "as in 1x-W{}-2x",
                                              quoted_text(tie.at.text), number, number)});
     }
-    const PlacedToken pivot{block(TokenKind::bar_pivot, second[static_cast<std::size_t>(number)]),
-                            tie.at};
+    const PlacedToken pivot{block(TokenKind::bar_pivot, second[number]), tie.at};
     if (i > 0) {
       walk.push_back(pivot);
     } else {

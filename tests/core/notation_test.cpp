@@ -197,8 +197,17 @@ TEST(NotationError, APlateHasThreeTies) {
   expect_fault("1x-W1-2x+3x-W1k", 13,
                "bar W1 has arms but nothing at its pivot: W1 as the end of a walk, as in "
                "M-W1+1x-W1-2x");
-  expect_fault("M-W1k-1x", 3,
-               "'W1k' ends a walk and cannot stand inside it; join tendons with +");
+  expect_fault("1x-W1-2x+W1k-W1k+M-W1", 14, "'W1k'" + why);
+  expect_fault("1x-W1-2x+W1k+M-W1", 10,
+               "a walk must begin and end with M, F, a fingertip (1x) or a block (Y1), or come "
+               "back to the finger that it began with, and 'W1k' does neither");
+  std::string bars;
+  for (int bar = 2; bar <= max_blocks; ++bar) bars += "+M-W" + std::to_string(bar);
+  const std::string many = message("1x-W1-2x+3x-W1k+W1-M" + bars);
+  EXPECT_NE(many.find("column 13: 'W1k': a plate counts as two bars, and there are more than 32"),
+            std::string::npos)
+      << many;
+  expect_fault("M-W1k-1x", 3, "'W1k' ends a walk and cannot stand inside it; join tendons with +");
 }
 
 TEST(NotationError, ABarHasTwoArms) {
