@@ -41,7 +41,9 @@ TEST(Plate, BalancesOneForceAndTwoMoments) {
   for (std::uint64_t held = 0; held < 7; ++held) {
     const std::vector<double> found = pulls("1x-W1/8:7-2x+3x-W1k/1:3+M-W1", 3, Grasp{held});
     const double sum = found[0] + found[1] + found[2];
-    for (int f = 0; f < 3; ++f) EXPECT_NEAR(found[f] / sum, parts[f], 1e-6) << held;
+    for (std::size_t f = 0; f < 3; ++f) {
+      EXPECT_NEAR(found[f] / sum, parts[static_cast<Eigen::Index>(f)], 1e-6) << held;
+    }
   }
 }
 
