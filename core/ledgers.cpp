@@ -8,6 +8,11 @@
 namespace reeve::core {
 namespace {
 
+// Why a bar, or the plate that two bars are, is refused with more ties.
+constexpr const char* four_ties =
+    ": a rigid plate balances one force and two moments, which leave the tensions of four ties "
+    "undetermined; three bars determine them, as in 1x-W1-2x+3x-W2-4x+W1-W3-W2+W3-M";
+
 bool is_bar(std::size_t key) { return key >= static_cast<std::size_t>(max_blocks); }
 
 std::string block_name(std::size_t key) {
@@ -100,7 +105,7 @@ void BlockLedger::pass(const PlacedWalk& walk) {
     if (is_tail(placed.token.kind)) {
       entry.tail = true;
     } else if (std::exchange(entry.pulled, true) && placed.token.kind == TokenKind::bar_arms) {
-      word_.fail(placed.at, {.what = quoted_text(placed.at.text) + three_ties});
+      word_.fail(placed.at, {.what = quoted_text(placed.at.text) + four_ties});
     }
   }
 }

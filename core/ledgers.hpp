@@ -9,12 +9,6 @@
 
 namespace reeve::core {
 
-// Why a bar is refused with more ties than its pivot and two arms. Two bars give a plate of three
-// ties, whose second moment decides: equal thirds at W1 and W2/2:1.
-inline constexpr const char* three_ties =
-    ": a rigid bar balances one force and one moment, which leave the tensions of three ties "
-    "undetermined; two bars determine them, as in 1x-W1-2x+W1-W2/2:1-3x+W2-M";
-
 class FingerLedger {
  public:
   explicit FingerLedger(const Word& word) : word_(word) {}

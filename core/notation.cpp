@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/ledgers.hpp"
+#include "core/plates.hpp"
 #include "core/text.hpp"
 #include "core/word.hpp"
 
@@ -96,6 +97,7 @@ class WordParser {
   Routing parse() const;
 
  private:
+  [[noreturn]] void refuse_inside(const PlacedText& at) const;
   Token read_finger(const PlacedText& at) const;
   Token read_on_carriage(const PlacedText& at, TokenKind kind) const;
   int block_number(const PlacedText& at, const NumberedText& read) const;
@@ -111,6 +113,12 @@ class WordParser {
 
   Word word_;
 };
+
+void WordParser::refuse_inside(const PlacedText& at) const {
+  word_.fail(at, {.what = fmt::format("{} ends a walk and cannot stand inside it; join tendons "
+                                      "with +",
+                                      quoted_text(at.text))});
+}
 
 Token WordParser::read_finger(const PlacedText& at) const {
   const NumberedText read = read_number(at.text, max_fingers);
@@ -165,30 +173,24 @@ Token WordParser::read_block(const PlacedText& at, TokenPlace place) const {
 Token WordParser::read_bar(const PlacedText& at, TokenPlace place) const {
   const NumberedText read = read_number(at.text.substr(1), max_blocks);
   const int number = block_number(at, read);
-  if (read.suffix == "k") {
-    word_.fail(
-        at, {.what = fmt::format("{}: a bar has no becket; its two arms are its neighbours inside "
-                                 "a walk, as in 1x-W1-2x",
-                                 quoted_text(at.text))});
-  }
-  if (place == TokenPlace::end) {
-    if (read.suffix.empty()) return block(TokenKind::bar_pivot, number);
+  const bool third = read.suffix.starts_with('k');
+  const std::string_view ratio = read.suffix.substr(third ? 1 : 0);
+  if (third && place == TokenPlace::inside) refuse_inside(at);
+  if (place == TokenPlace::end && !third) {
+    if (ratio.empty()) return block(TokenKind::bar_pivot, number);
     word_.fail(
         at, {.value = shown_text(at.text),
              .expected = fmt::format("W{} alone: the end of a walk is tied to the bar's pivot, and "
                                      "a ratio belongs to its arms",
                                      number)});
   }
-  if (read.suffix.empty()) return bar(number);
-  if (std::count(read.suffix.begin(), read.suffix.end(), ':') > 1) {
-    word_.fail(at, {.what = quoted_text(at.text) + three_ties});
-  }
-  const auto arms = read.suffix[0] == '/' ? read_arms(read.suffix.substr(1)) : std::nullopt;
+  if (ratio.empty()) return bar(number, third ? ArmRatio{1, 2} : ArmRatio{});
+  const auto arms = ratio[0] == '/' ? read_arms(ratio.substr(1)) : std::nullopt;
   if (!arms) {
-    word_.fail(
-        at, {.value = shown_text(at.text),
-             .expected = "behind the bar number nothing, or the ratio of its neighbours' tensions "
-                         "in positive numbers of at most three decimals, such as W1/2:1"});
+    word_.fail(at, {.value = shown_text(at.text),
+                    .expected = "behind the bar number nothing, or the ratio of its neighbours' "
+                                "tensions in positive numbers of at most three decimals, such as "
+                                "W1/2:1; behind W1k that of the third tie to both others"});
   }
   return bar(number, *arms);
 }
@@ -260,11 +262,7 @@ void WordParser::require_ends(const PlacedWalk& walk) const {
 void WordParser::require_inner_tokens(const PlacedWalk& walk) const {
   for (std::size_t i = 1; i < walk.size(); ++i) {
     const TokenKind kind = walk[i].token.kind;
-    if (is_end(kind) && i + 1 < walk.size()) {
-      word_.fail(walk[i].at, {.what = fmt::format(
-                                  "{} ends a walk and cannot stand inside it; join tendons with +",
-                                  quoted_text(walk[i].at.text))});
-    }
+    if (is_end(kind) && i + 1 < walk.size()) refuse_inside(walk[i].at);
     if (is_of_finger(kind) && is_of_finger(walk[i - 1].token.kind)) {
       word_.fail(walk[i].at, {.what = fmt::format(
                                   "between two fingers a join is needed: T, B, P or a block before "
@@ -318,22 +316,25 @@ Routing WordParser::parse() const {
     word_.fail({.what = fmt::format("the word has {} characters, at most {} are read",
                                     word_.text.size(), max_word_length)});
   }
+  std::vector<PlacedWalk> walks;
+  walks.reserve(1 +
+                static_cast<std::size_t>(std::count(word_.text.begin(), word_.text.end(), '+')));
+  for (std::size_t at = 0; at <= word_.text.size();) {
+    const std::size_t plus = std::min(word_.text.find('+', at), word_.text.size());
+    walks.push_back(read_walk(at, plus));
+    at = plus + 1;
+  }
+  replace_plates(word_, walks);
   Routing routing;
-  routing.tendons.reserve(
-      1 + static_cast<std::size_t>(std::count(word_.text.begin(), word_.text.end(), '+')));
+  routing.tendons.reserve(walks.size());
   FingerLedger fingers(word_);
   CarriageLedger carriages(word_);
   BlockLedger blocks(word_);
-  std::size_t at = 0;
-  while (true) {
-    const std::size_t plus = std::min(word_.text.find('+', at), word_.text.size());
-    PlacedWalk walk = read_walk(at, plus);
+  for (PlacedWalk& walk : walks) {
     routing.tendons.push_back(read_tendon(walk));
     fingers.pass(walk);
     carriages.pass(walk);
     blocks.pass(walk);
-    if (plus == word_.text.size()) break;
-    at = plus + 1;
   }
   fingers.require_no_gap();
   carriages.require_no_gap();

@@ -166,9 +166,6 @@ TEST(NotationError, SuffixesOfBlocksAndBars) {
   expect_fault("M-Y1/2:1+1x-Y1-2x", 3,
                "'Y1/2:1': expected Y1 alone: a wrap angle belongs to a finger, T, B, P or a block "
                "inside a walk");
-  expect_fault("M-W1+1x-W1-2x+W1k-3x", 15,
-               "'W1k': a bar has no becket; its two arms are its neighbours inside a walk, as in "
-               "1x-W1-2x");
   expect_fault("M-W1/2:1+1x-W1-2x", 3,
                "'W1/2:1': expected W1 alone: the end of a walk is tied to the bar's pivot, and a "
                "ratio belongs to its arms");
@@ -187,12 +184,33 @@ TEST(NotationError, AnchoredTipsAndBecketsStandAtEnds) {
   expect_fault("M-1x-P-F", 3, "'1x'" + inside);
 }
 
-TEST(NotationError, ABarHasTwoArms) {
+TEST(NotationError, APlateHasThreeTies) {
   const std::string why =
-      ": a rigid bar balances one force and one moment, which leave the tensions of three ties "
-      "undetermined; two bars determine them, as in 1x-W1-2x+W1-W2/2:1-3x+W2-M";
+      ": a rigid plate balances one force and two moments, which leave the tensions of four ties "
+      "undetermined; three bars determine them, as in 1x-W1-2x+3x-W2-4x+W1-W3-W2+W3-M";
   expect_fault("M-W1+1x-W1-2x+3x-W1-F", 18, "'W1'" + why);
-  expect_fault("M-W1+1x-W1/1:1:1-2x", 9, "'W1/1:1:1'" + why);
+  expect_fault("1x-W1-2x+3x-W1k+4x-W1k+W1-M", 20, "'W1k'" + why);
+  expect_fault("1x-W1-2x+3x-W1k+4x-W1-5x+W1-M", 20, "'W1'" + why);
+  expect_fault("M-W1+3x-W1k", 9,
+               "'W1k' is the third tie of a plate without the other two: they are the neighbours "
+               "of W1 inside a walk, as in 1x-W1-2x");
+  expect_fault("1x-W1-2x+3x-W1k", 13,
+               "bar W1 has arms but nothing at its pivot: W1 as the end of a walk, as in "
+               "M-W1+1x-W1-2x");
+  expect_fault("1x-W1-2x+W1k-W1k+M-W1", 14, "'W1k'" + why);
+  expect_fault("1x-W1-2x+W1k+M-W1", 10,
+               "a walk must begin and end with M, F, a fingertip (1x) or a block (Y1), or come "
+               "back to the finger that it began with, and 'W1k' does neither");
+  std::string bars;
+  for (int bar = 2; bar <= max_blocks; ++bar) bars += "+M-W" + std::to_string(bar);
+  const std::string many = message("1x-W1-2x+3x-W1k+W1-M" + bars);
+  EXPECT_NE(many.find("column 13: 'W1k': a plate counts as two bars, and there are more than 32"),
+            std::string::npos)
+      << many;
+  expect_fault("M-W1k-1x", 3, "'W1k' ends a walk and cannot stand inside it; join tendons with +");
+}
+
+TEST(NotationError, ABarHasTwoArms) {
   expect_fault("M-W1+1-W1/2:1-1", 8,
                "'W1/2:1': a loop that is tied to both arms of a bar needs equal arms");
 }

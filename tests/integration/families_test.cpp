@@ -57,7 +57,7 @@ TEST(RankOfAFamily, RanksItsMechanismsWithSoManyFingersByTheirNames) {
   EXPECT_EQ(
       names(json_of({"rank", "--catalogue", "--family", "hands", "--fingers", "4"})["designs"]),
       (std::vector<std::string>{"LavalSerial", "OpenHandModelQ", "OpenHandModelT",
-                                "SouthamptonHand"}));
+                                "SeriesElasticDifferential", "SouthamptonHand"}));
   // PulleyTurn of the benches has the word of the single whip.
   const std::vector<std::string> tackles =
       names(json_of({"rank", "--catalogue", "--family", "tackles", "--fingers", "1"})["designs"]);

@@ -49,7 +49,7 @@ TEST(CatalogueList, IsNarrowedByFamilyAndByFingers) {
     EXPECT_EQ(mechanism.family, "hands");
     EXPECT_EQ(finger_count(mechanism.routing), 4);
   }
-  EXPECT_EQ(mechanisms("hands", 4).size(), 5U);
+  EXPECT_EQ(mechanisms("hands", 4).size(), 6U);
   EXPECT_TRUE(mechanisms("hands", 9).empty());
 }
 
