@@ -10,8 +10,8 @@
 // than slides round its tip, both strands slide to the palm past every guide, and lose as much
 // there: between the palm ends phi_tip alone counts, and in release likewise, both ways turned. By
 // just as much: one strand rests at the palm, where its guides hold up to S_n either way; if blocks
-// tie the tendon, they count as sliding. From the tensions T_l and T_r of both strands at the palm, e^{−Phi} <= T_l / T_r <= e^{Phi}, follow
-// those behind guide j, which joint j feels:
+// tie the tendon, they count as sliding. From the tensions T_l and T_r of both strands at the palm,
+// e^{−Phi} <= T_l / T_r <= e^{Phi}, follow those behind guide j, which joint j feels:
 //
 //   T_l,j = max(T_l e^{−S_j}, T_r e^{−(Phi − S_j)})      and T_r,j likewise, l and r exchanged
 //

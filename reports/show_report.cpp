@@ -258,8 +258,8 @@ Document show_document(const ShownRouting& report) {
   append(lines, model_lines(report.model, report.unconverged));
   append(lines, note_lines(model_notes(report.model, {report.network})));
   if (report.hand && report.hand->drawn) {
-    append(lines, note_lines(range_notes(effective_hardware(report.model),
-                                         report.hand->drawn->ranges)));
+    append(lines,
+           note_lines(range_notes(effective_hardware(report.model), report.hand->drawn->ranges)));
   }
   Document document{
       {{"", std::nullopt, lines},

@@ -46,8 +46,8 @@ struct MotorForce {
   std::size_t draws = 0;
   std::uint64_t seed = 0;
   UncertaintyRanges ranges{};  // that the draws are of
-  double stroke_mm = 0;  // infinite if the carriage cannot move from the open hand
-  double closure = 1;    // at that stroke; below 1 if the carriage is then blocked
+  double stroke_mm = 0;        // infinite if the carriage cannot move from the open hand
+  double closure = 1;          // at that stroke; below 1 if the carriage is then blocked
   double least_work_J = 0;
   std::vector<MotorNeed> motors{};  // of each motor
 

@@ -80,8 +80,8 @@ TEST(FingerGuides, LoadBothStrandsFromThePalmWhereBothArePulled) {
   EXPECT_NEAR(pull.behind_guide_N(0.7), 0.7 * pull.sum_N(), 1e-12);
 }
 
-// Both strands slide to the palm past the guides, so that friction there costs the fingertip what it
-// takes from each strand, and the motor no less for it.
+// Both strands slide to the palm past the guides, so that friction there costs the fingertip what
+// it takes from each strand, and the motor no less for it.
 TEST(FingerGuides, ThatBothStrandsSlideToThePalmPastChangeNothingBetweenThem) {
   Hardware hardware = hand_of({guided_finger()});
   hardware.tube.mu = 0;
