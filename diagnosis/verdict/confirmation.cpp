@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "causes/term.hpp"
-#include "diagnosis/fit/intervals.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -63,8 +62,7 @@ std::vector<std::string> Confirmation::remove_the_others() {
       found_ = without_term(training_, found_, c, options_, workers_);
       continue;
     }
-    const bool is_known = !stands_at_an_end(accepted) && !may_be_neutral(accepted);
-    if (accepted.folds.value_or(1) <= most || !is_known) drop(c);
+    if (accepted.folds.value_or(1) <= most || stands_at_an_end(accepted)) drop(c);
   }
   if (folds_.empty()) return not_confirmed_;
   for (std::size_t c = found_.accepted.size(); c-- > 0;) {
@@ -98,17 +96,6 @@ bool Confirmation::stands_at_an_end(const AcceptedTerm& accepted) const {
   const double margin = near * (range.high - range.low);
   const double size = effect.values.front();
   return size <= range.low + margin || size >= range.high - margin;
-}
-
-// Whatever its evidence: between runs its size differs too much. One run alone tells nothing of
-// that. With a parameter of shape beside the size, neither has an interval of its own.
-bool Confirmation::may_be_neutral(const AcceptedTerm& accepted) const {
-  const std::size_t e = place(found_.model, accepted.effect);
-  const auto parameters = found_.model.effects[e].cause->parameters(nominal_.hardware);
-  if (parameters.size() != 1 || !run_apart(accepted).empty()) return false;
-  const ParameterInterval size =
-      parameter_intervals(found_.problem, found_.model, found_.mounting_degrees())[e][0];
-  return size.low <= *parameters[0].nominal && *parameters[0].nominal <= size.high;
 }
 
 // The models of the folds: in likelihood than `likely`, or in residuals than `near`, each reading

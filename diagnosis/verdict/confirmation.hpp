@@ -41,7 +41,6 @@ class Confirmation {
  private:
   void drop(std::size_t cause);
   bool stands_at_an_end(const AcceptedTerm& accepted) const;
-  bool may_be_neutral(const AcceptedTerm& accepted) const;
   bool is_worse_on_unseen_runs(const Forecast& likely, const Forecast& near) const;
   Forecast beside_runs_apart(Forecast at) const;
   std::string its_name_in(const Model& model, const std::string& name) const;

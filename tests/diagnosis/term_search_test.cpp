@@ -178,6 +178,13 @@ TEST(TermSearch, FindsASensorThatReadsMoreInRelease) {
   EXPECT_NEAR(result.causes.front().effect.values.front(), 0.08, 0.01);
 }
 
+// The gain is 4 and the search ends at 3: what it finds there may be another law in truth.
+TEST(TermSearch, NamesNoLawAtTheEndOfItsRange) {
+  const DiagnosisResult result = diagnosed(readings_of_both_directions(0, false, 4));
+  EXPECT_TRUE(result.causes.empty());
+  EXPECT_EQ(result.not_confirmed, std::vector<std::string>{"law[gain of T3 in release]"});
+}
+
 TEST(TermSearch, FindsOneLawOfTubesAndSheaths) {
   const DiagnosisResult result = diagnosed(readings([](const Row& row, int strand) {
     return std::exp(-(phi_sheath + strand * phi_tube) * 0.004 * (row.humidity_pct - 50));
