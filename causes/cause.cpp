@@ -52,7 +52,8 @@ std::string Cause::subject_name(const Subject& subject) const {
   return "";
 }
 
-void Cause::read(std::span<Sensor> sensors, const Conditions&, const Effect& effect) const {
+void Cause::read(std::span<Sensor> sensors, Direction, const Conditions&,
+                 const Effect& effect) const {
   for (Sensor& sensor : sensors) {
     sensor.reading_N = reading(sensor.reading_N, sensor.segment, effect);
   }

@@ -204,7 +204,8 @@ class Cause {
     return tension_N;
   }
   // All sensors of a routing at once.
-  virtual void read(std::span<Sensor> sensors, const Conditions&, const Effect& effect) const;
+  virtual void read(std::span<Sensor> sensors, Direction, const Conditions&,
+                    const Effect& effect) const;
   // True if readings of its channel from the least to the greatest could show it.
   virtual bool shows_between(double /*least_N*/, double /*greatest_N*/, const Effect&) const {
     return true;

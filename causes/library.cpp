@@ -79,9 +79,9 @@ class LibraryCause final : public Cause {
     if (row_.reading == nullptr || segment != *effect.subject.channel) return tension_N;
     return row_.reading(tension_N, effect.values);
   }
-  void read(std::span<Sensor> sensors, const Conditions& conditions,
+  void read(std::span<Sensor> sensors, Direction direction, const Conditions& conditions,
             const Effect& effect) const override {
-    if (row_.read == nullptr) return Cause::read(sensors, conditions, effect);
+    if (row_.read == nullptr) return Cause::read(sensors, direction, conditions, effect);
     row_.read(sensors, conditions, effect);
   }
   bool shows_between(double least_N, double greatest_N, const Effect& effect) const override {

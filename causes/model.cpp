@@ -115,15 +115,17 @@ Conditions at_tendon(const Model& model, Direction direction, const Conditions& 
   return result;
 }
 
-void read(const Model& model, const Conditions& conditions, std::span<Sensor> sensors) {
+void read(const Model& model, Direction direction, const Conditions& conditions,
+          std::span<Sensor> sensors) {
   for (const Effect& effect : model.effects) {
-    if (effect.cause->reach() == Reach::reading) effect.cause->read(sensors, conditions, effect);
+    if (effect.cause->reach() != Reach::reading) continue;
+    effect.cause->read(sensors, direction, conditions, effect);
   }
 }
 
 double reading(const Model& model, const Segment& segment, double tension_N) {
   std::array<Sensor, 1> alone{{{segment, tension_N}}};
-  read(model, {}, alone);
+  read(model, Direction::pull, {}, alone);
   return alone[0].reading_N;
 }
 

@@ -63,7 +63,8 @@ bool belongs_to_designs(const Effect& effect);
 Conditions at_tendon(const Model& model, Direction direction, const Conditions& recorded);
 
 // Makes of the tensions of a routing's sensors what they read.
-void read(const Model& model, const Conditions& conditions, std::span<Sensor> sensors);
+void read(const Model& model, Direction direction, const Conditions& conditions,
+          std::span<Sensor> sensors);
 // Returns the first reading in a file of a sensor at this segment that has no others beside it.
 double reading(const Model& model, const Segment& segment, double tension_N);
 // True if readings are linear in the tensions, up to an offset.

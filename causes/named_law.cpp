@@ -75,7 +75,7 @@ bool has_site(const Site& site, const Survey& survey) {
     if (!site.routing.empty() && routing.word != site.routing) return false;
     std::size_t number = 0;
     for (const Contact& contact : routing.network->contacts) {
-      if (contact.kind != site.kind) continue;
+      if (!acts_on(site, contact.kind)) continue;
       const bool is_it = (site.finger == 0 || contact.finger == site.finger) &&
                          (!site.number || *site.number == number);
       if (is_it) return true;

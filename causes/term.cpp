@@ -185,16 +185,18 @@ class Law final : public Cause {
 
   double at_tendon(double motor_tension_N, Direction direction, const Conditions& conditions,
                    const Effect& effect) const override {
-    if (!acts_in(term_.site, conditions)) return motor_tension_N;
+    if (!acts_in(term_.site, direction) || !acts_in(term_.site, conditions)) {
+      return motor_tension_N;
+    }
     const double f = value(conditions, motor_tension_N, effect);
     if (term_.target == Target::gain) return motor_tension_N * (1 + f);
     const bool turns = term_.target == Target::force && direction == Direction::pull;
     return motor_tension_N + (turns ? -f : f);
   }
 
-  void read(std::span<Sensor> sensors, const Conditions& conditions,
+  void read(std::span<Sensor> sensors, Direction direction, const Conditions& conditions,
             const Effect& effect) const override {
-    if (!acts_in(term_.site, conditions)) return;
+    if (!acts_in(term_.site, direction) || !acts_in(term_.site, conditions)) return;
     std::array<double, 8> few{};
     std::vector<double> many;
     std::span<double> f = few;
@@ -263,9 +265,9 @@ std::string key(const Covariate& x) {
 std::string key(const Term& term) {
   const Site& site = term.site;
   return fmt::format(
-      "{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", static_cast<int>(term.target),
+      "{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", static_cast<int>(term.target),
       static_cast<int>(term.form), static_cast<int>(site.place), static_cast<int>(site.kind),
-      site.finger, site.held ? static_cast<int>(*site.held) : 2,
+      site.with_sheaths, site.finger, site.held ? static_cast<int>(*site.held) : 2,
       site.direction ? static_cast<int>(*site.direction) : 2, site.routing,
       site.number ? static_cast<int>(*site.number) : -1, static_cast<int>(site.channel.kind),
       site.channel.number, site.run, site.group, key(term.x), key(term.y));
@@ -350,13 +352,21 @@ double law_value(const Term& term, double x, double y, const double* parameters)
   return value_of(term, x, y, parameters, {term.x.middle, term.y.middle});
 }
 
+bool acts_on(const Site& site, ContactKind kind) {
+  if (site.place != SitePlace::contacts) return false;
+  return kind == site.kind || (site.with_sheaths && kind == ContactKind::sheath);
+}
+
+bool acts_in(const Site& site, Direction direction) {
+  return !site.direction || *site.direction == direction;
+}
+
 bool acts_on(const Site& site, const ContactLoad& contact) {
-  if (site.place != SitePlace::contacts || contact.kind != site.kind) return false;
+  if (!acts_on(site, contact.kind) || !acts_in(site, contact.direction)) return false;
   if (site.finger != 0 && contact.finger != site.finger) return false;
   if (site.held && (contact.finger == 0 || contact.grasp.holds(contact.finger) != *site.held)) {
     return false;
   }
-  if (site.direction && contact.direction != *site.direction) return false;
   if (!site.routing.empty() && contact.routing != site.routing) return false;
   return !site.number || contact.number == *site.number;
 }

@@ -40,9 +40,10 @@ enum class SitePlace : std::uint8_t { contacts, channel, channels, motor };
 struct Site {
   SitePlace place = SitePlace::contacts;
   ContactKind kind = ContactKind::tube;  // contacts
+  bool with_sheaths = false;             // contacts: sheaths besides the tubes
   int finger = 0;                        // contacts of this one
   std::optional<bool> held{};            // contacts of fingers that an object holds, or of others
-  std::optional<Direction> direction{};  // contacts, while the motor moves this way
+  std::optional<Direction> direction{};  // while the motor moves this way
   std::string routing{};                 // contacts, in this word
   std::optional<std::size_t> number{};   // contacts: that of the kind in the routing, from 0
   Segment channel{};                     // channel
@@ -111,12 +112,15 @@ double law_value(const Term& term, double x, double y, const double* parameters)
 // x as the readings' conditions say it; x0 where they do not. `high_N` stands for the load.
 double covariate_value(const Covariate& covariate, const Conditions& conditions, double high_N);
 
+bool acts_on(const Site& site, ContactKind kind);
 bool acts_on(const Site& site, const ContactLoad& contact);
+bool acts_in(const Site& site, Direction direction);
 // In this run and group.
 bool acts_in(const Site& site, const Conditions& conditions);
 
-// "sheath", "tube of finger 1", "T3", "motor", "all channels"
+// "sheath", "tube and sheath of finger 1", "T3 in release", "motor", "all channels"
 std::string site_name(const Site& site);
+std::string kind_name(const Site& site);  // of contacts: "tube and sheath"
 // The site of this name, whatever it says of a routing; nothing if it names none.
 std::optional<Site> site_named(const std::string& name);
 

@@ -53,6 +53,7 @@ bool means_another(const std::string& column) {
          column.starts_with(column_prefix);
 }
 
+constexpr std::string_view and_sheath = " and sheath";
 constexpr std::string_view run_mark = " in run ";
 constexpr std::string_view group_mark = " in group ";
 
@@ -86,24 +87,37 @@ class SiteReader {
   bool read_place() {
     if (take("motor")) {
       site_.place = SitePlace::motor;
+      read_direction();
       return true;
     }
     if (take("all channels")) {
       site_.place = SitePlace::channels;
+      read_direction();
       return true;
     }
     for (const ContactKind kind :
          {ContactKind::tube, ContactKind::bearing, ContactKind::sheath, ContactKind::block}) {
       if (!take(contact_kind_name(kind))) continue;
       site_.kind = kind;
+      site_.with_sheaths = kind == ContactKind::tube && take(and_sheath);
       return read_restrictions();
     }
-    const auto channel = segment_named(rest_);
+    const std::string_view segment = rest_.substr(0, rest_.find(' '));
+    const auto channel = segment_named(segment);
     if (!channel) return false;
     site_.place = SitePlace::channel;
     site_.channel = *channel;
-    rest_ = {};
+    rest_.remove_prefix(segment.size());
+    read_direction();
     return true;
+  }
+
+  void read_direction() {
+    if (take(" in pull")) {
+      site_.direction = Direction::pull;
+    } else if (take(" in release")) {
+      site_.direction = Direction::release;
+    }
   }
 
   bool read_restrictions() {
@@ -111,7 +125,7 @@ class SiteReader {
     if (of_one) {
       rest_.remove_prefix(1);
       const std::size_t number = take_number();
-      if (number == 0) return false;
+      if (number == 0 || site_.with_sheaths) return false;
       site_.number = number - 1;
     }
     if (take(" of finger ")) {
@@ -123,11 +137,7 @@ class SiteReader {
     } else if (take(" of closing fingers")) {
       site_.held = false;
     }
-    if (take(" in pull")) {
-      site_.direction = Direction::pull;
-    } else if (take(" in release")) {
-      site_.direction = Direction::release;
-    }
+    read_direction();
     if (take(" of ")) {
       site_.routing = rest_;
       rest_ = {};
@@ -217,6 +227,10 @@ Covariate covariate_named(const std::string& name) {
   return covariate;
 }
 
+std::string kind_name(const Site& site) {
+  return std::string(contact_kind_name(site.kind)).append(site.with_sheaths ? and_sheath : "");
+}
+
 std::string site_name(const Site& site) {
   std::string name;
   switch (site.place) {
@@ -230,14 +244,14 @@ std::string site_name(const Site& site) {
       name = segment_name(site.channel);
       break;
     case SitePlace::contacts:
-      name = contact_kind_name(site.kind);
+      name = kind_name(site);
       if (site.number) name += fmt::format(" {}", *site.number + 1);
       if (site.finger != 0) name += fmt::format(" of finger {}", site.finger);
       if (site.held) name += *site.held ? " of held fingers" : " of closing fingers";
-      if (site.direction) name += *site.direction == Direction::pull ? " in pull" : " in release";
-      if (!site.routing.empty()) name += fmt::format(" of {}", site.routing);
       break;
   }
+  if (site.direction) name += *site.direction == Direction::pull ? " in pull" : " in release";
+  if (!site.routing.empty()) name += fmt::format(" of {}", site.routing);
   if (!site.run.empty()) name.append(run_mark).append(site.run);
   if (!site.group.empty()) name.append(group_mark).append(site.group);
   return name;

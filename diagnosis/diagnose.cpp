@@ -262,15 +262,24 @@ class Diagnosis {
     std::vector<std::string> names{cause.name};
     std::vector<Model> models{found_.model};
     for (const Alternative& other : alternatives) {
-      if (std::ranges::find(names, other.name) != names.end()) continue;
-      if (!cause.runner_up) cause.runner_up = RunnerUp{other.name, other.deficit};
-      names.push_back(other.name);
-      models.push_back(other.model);
+      const std::string name = other.name();
+      if (std::ranges::find(names, name) != names.end()) continue;
+      if (!cause.runner_up) cause.runner_up = RunnerUp{name, other.deficit};
+      names.push_back(name);
+      if (alias_models_.empty()) models.push_back(with(other));
     }
     if (names.size() > 1) {
       result_.indistinguishable.push_back(names);
       if (alias_models_.empty()) alias_models_ = std::move(models);
     }
+  }
+
+  // The model that the answer states, with the alternative.
+  Model with(const Alternative& other) const {
+    Model model = found_.model;
+    for (const Effect& effect : other.instead_of) model = without(model, place(model, effect));
+    add_effect(model, other.effect);
+    return fit(found_.problem, model).model;
   }
 
   // Computes the gains of the named causes on held-out runs.
@@ -325,7 +334,7 @@ class Diagnosis {
       const std::string own = effect_name(accepted.effect);
       for (const Alternative& other : accepted.alternatives) {
         std::vector<std::string> instead = names;
-        std::ranges::replace(instead, own, other.name);
+        std::ranges::replace(instead, own, other.name());
         result_.weighed.push_back({std::move(instead), gain / 2 - other.deficit, std::nullopt});
       }
     }

@@ -123,11 +123,11 @@ std::vector<CauseRow> sensor_causes() {
       // reading = g T
       //
       // g in 1; 1: right. Literature: load cells of this size are calibrated to 1 to 5 per cent,
-      // and a mounting that bends them costs more.
+      // and a mounting that bends them costs more. Below 0: it is wired the other way round.
       {.name = "sensor_gain",
        .reach = Reach::reading,
        .meaning = "one force sensor has a gain error",
-       .parameters = {{"gain", "1", 1, {0.2, 3}, Range{0.95, 1.05}}},
+       .parameters = {{"gain", "1", 1, {-3, 3}, Range{0.95, 1.05}}},
        .subject_kind = SubjectKind::channel,
        .reading = [](double tension_N,
                      const std::vector<double>& values) { return values[0] * tension_N; }},

@@ -129,7 +129,7 @@ class RoutingForecast {
     for (std::size_t s = 0; s < sensors_.size(); ++s) {
       sensors_[s].reading_N = scale * state.tension[segments_[s]];
     }
-    causes::read(model_, row.conditions, sensors_);
+    causes::read(model_, direction_, row.conditions, sensors_);
     for (Eigen::Index i = 0; i < cells.size(); ++i) {
       const Cell& cell = dataset_.cells[row.first + static_cast<std::size_t>(i)];
       cells[i] = sensors_[place_[cell.channel]].reading_N;

@@ -134,7 +134,7 @@ class Reader {
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       sensors[i].reading_N = pulled.motor_tension_N * state.tension[segments_[i]];
     }
-    causes::read(model, conditions, sensors);
+    causes::read(model, direction, conditions, sensors);
     VectorXd result(static_cast<Index>(sensors.size()));
     for (std::size_t i = 0; i < sensors.size(); ++i) {
       result[static_cast<Index>(i)] = sensors[i].reading_N;
@@ -261,6 +261,7 @@ std::optional<PlannedMeasurement> separating_measurement(const MeasurementPlan& 
     mark_conditions(reader, {&a, &b}, best->measurement);
   });
   if (best) {
+    best->between = {name_a, name_b};
     best->why = fmt::format(
         "{} and {} predict different tensions there: {} readings are expected to favour "
         "the right one by {:.3g} nats",

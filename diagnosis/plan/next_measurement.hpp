@@ -51,7 +51,8 @@ struct ExpectedReading {
 
 struct PlannedMeasurement {
   Measurement measurement;
-  std::string why;  // one sentence
+  std::string why;                   // one sentence
+  std::vector<std::string> between;  // separating: the first explanation and the second
   std::vector<ExpectedReading> expected;
   // Expected from `planned_readings` such readings. Separating: log-likelihood in favour of the
   // true explanation.

@@ -49,7 +49,7 @@ class Rig {
       sensors.push_back(
           {channels_[c], conditions.motor_tension_N * state.tension[*segments_[c]], c});
     }
-    causes::read(model_, planned.conditions, sensors);
+    causes::read(model_, planned.direction, planned.conditions, sensors);
     std::vector<std::optional<double>> tensions(channels_.size());
     for (const Sensor& sensor : sensors) tensions[*sensor.column] = sensor.reading_N;
     return tensions;

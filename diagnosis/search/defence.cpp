@@ -77,7 +77,12 @@ bool is_kin(const Effect& a, const Effect& b) {
   const Term* x = term_of(*a.cause);
   const Term* y = term_of(*b.cause);
   if (x == nullptr || y == nullptr || x->target != y->target) return false;
-  if (causes::site_name(x->site) != causes::site_name(y->site)) return false;
+  Site site = x->site;
+  const bool are_of_directions = site.direction && y->site.direction;
+  if (are_of_directions && x->form == Form::constant && y->form == Form::constant) {
+    site.direction = y->site.direction;
+  }
+  if (causes::site_name(site) != causes::site_name(y->site)) return false;
   return x->form == Form::constant || y->form == Form::constant ||
          (follows(x->x) == follows(y->x) && follows(x->y) == follows(y->y));
 }
@@ -117,7 +122,7 @@ void defend(SearchedModel& search, const Vocabulary& words, std::size_t c) {
   AcceptedTerm& accepted = search.accepted[c];
   accepted.alternatives.clear();
   double odds = 1;
-  for (Scored& way : ways) {
+  for (const Scored& way : ways) {
     const double deficit = evidence - way.evidence;
     if (!(deficit < least_evidence)) break;
     if (same_effect(way.term.effect, accepted.effect) || is_kin(way.term.effect, accepted.effect) ||
@@ -125,7 +130,7 @@ void defend(SearchedModel& search, const Vocabulary& words, std::size_t c) {
       continue;
     }
     odds += std::exp(-deficit);
-    accepted.alternatives.push_back({effect_name(way.term.effect), std::move(way.model), deficit});
+    accepted.alternatives.push_back({way.term.effect, deficit, {accepted.effect}});
   }
   accepted.probability = 1 / odds;
 }

@@ -14,7 +14,8 @@
 namespace reeve::diagnosis {
 
 // True if two laws share one site and covariate, whatever their form. A constant law shares every
-// covariate. The place in the file and the number of the run are one: when a reading was taken.
+// covariate, and that of one direction is that of the other beside another coefficient. The place
+// in the file and the number of the run are one: when a reading was taken.
 bool is_kin(const Effect& a, const Effect& b);
 
 // Drops the terms without which the model is hardly less likely.

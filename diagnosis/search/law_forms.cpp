@@ -55,6 +55,16 @@ std::vector<RowLaw> shapes(const Covariate& x) {
   return result;
 }
 
+// The constant of one direction says what that of the other does beside another coefficient.
+LawForm in_other_direction(const Effect& law, Term term) {
+  term.site.direction =
+      *term.site.direction == Direction::pull ? Direction::release : Direction::pull;
+  const double a = law.values.front();
+  const bool is_factor = term.target == Target::exponent || term.target == Target::gain;
+  const std::vector<double> start{is_factor && a > -1 ? 1 / (1 + a) - 1 : -a};
+  return {{&causes::law(term), law.subject, start}, {start}, 0};
+}
+
 }  // namespace
 
 std::vector<RowLaw> smooth_bends(std::size_t c, const Range& seen) {
@@ -101,6 +111,9 @@ double price_of_form(const Term& term) {
 
 std::vector<LawForm> other_forms(const Effect& law) {
   const Term* own = causes::term_of(*law.cause);
+  if (own != nullptr && own->form == Form::constant && own->site.direction) {
+    return {in_other_direction(law, *own)};
+  }
   const bool is_of_one = own != nullptr && own->form != Form::constant &&
                          own->form != Form::product && own->form != Form::sine;
   if (!is_of_one) return {};

@@ -25,7 +25,8 @@ struct LawForm {
   double more_price = 0;  // than that of the given law
 };
 
-// Returns the other forms of a law of one covariate, from values on at which they are near it.
+// Returns the other forms of a law of one covariate, from values on at which they are near it; of a
+// constant in one direction, that in the other.
 std::vector<LawForm> other_forms(const Effect& law);
 
 }  // namespace reeve::diagnosis

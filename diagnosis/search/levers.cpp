@@ -131,6 +131,16 @@ class LeversOf {
     return result;
   }
 
+  // Each direction besides both: of a law that follows something, neither says what the other does.
+  void add_in_directions(Site site, Breadth breadth, void (LeversOf::*add)(const Site&, Breadth)) {
+    (this->*add)(site, breadth);
+    for (const Direction direction : {Direction::release, Direction::pull}) {
+      if (!turns_) break;
+      site.direction = direction;
+      (this->*add)(site, Breadth::part);
+    }
+  }
+
   void add_at_contacts(const Site& site, Breadth breadth) {
     for (const Target target : {Target::exponent, Target::force}) {
       Lever lever{target, site, breadth, VectorXd::Zero(static_cast<Index>(dataset_.cells.size()))};
@@ -145,9 +155,13 @@ class LeversOf {
   }
 
   void add_contacts() {
+    if (most_of_a_kind(dataset_, ContactKind::tube) > 0 &&
+        most_of_a_kind(dataset_, ContactKind::sheath) > 0) {
+      add_in_directions({.with_sheaths = true}, Breadth::whole, &LeversOf::add_at_contacts);
+    }
     for (const ContactKind kind : site_kinds) {
       if (most_of_a_kind(dataset_, kind) == 0) continue;
-      add_at_contacts({.kind = kind}, Breadth::whole);
+      add_in_directions({.kind = kind}, Breadth::whole, &LeversOf::add_at_contacts);
       std::set<int> fingers;
       std::set<std::pair<std::string, std::size_t>> numbered;
       bool held = false;
@@ -167,8 +181,6 @@ class LeversOf {
         if (!held) break;
         add_at_contacts({.kind = kind, .held = is_held}, Breadth::part);
       }
-      // The other direction follows from it and from the coefficient.
-      if (turns_) add_at_contacts({.kind = kind, .direction = Direction::release}, Breadth::part);
       std::map<std::string, int> of_routing;
       for (const auto& [word, number] : numbered) ++of_routing[word];
       for (const auto& [word, count] : of_routing) {
@@ -181,11 +193,11 @@ class LeversOf {
     }
   }
 
-  void add_cells(Target target, const Site& site,
+  void add_cells(Target target, const Site& site, Breadth breadth,
                  const std::function<double(std::size_t row, Index cell)>& value) {
-    Lever lever{target, site, Breadth::whole,
-                VectorXd::Zero(static_cast<Index>(dataset_.cells.size()))};
+    Lever lever{target, site, breadth, VectorXd::Zero(static_cast<Index>(dataset_.cells.size()))};
     for (std::size_t r = 0; r < dataset_.rows.size(); ++r) {
+      if (!causes::acts_in(site, block_of_[r]->direction)) continue;
       for (std::size_t i = dataset_.rows[r].first; i < dataset_.rows[r].last; ++i) {
         const bool reads =
             site.place != SitePlace::channel ||
@@ -196,30 +208,39 @@ class LeversOf {
     levers_.push_back(std::move(lever));
   }
 
-  void add_readings(const Site& site) {
+  void add_readings(const Site& site, Breadth breadth) {
     const auto gain = [&](std::size_t, Index cell) { return at_.reading_N[cell]; };
-    add_cells(Target::gain, site, gain);
-    add_cells(Target::offset, site, [](std::size_t, Index) { return 1.0; });
+    add_cells(Target::gain, site, breadth, gain);
+    add_cells(Target::offset, site, breadth, [](std::size_t, Index) { return 1.0; });
   }
 
   void add_channels() {
-    if (dataset_.data->channels.size() > 1) add_readings({.place = SitePlace::channels});
-    for (const Channel& channel : dataset_.data->channels) {
-      add_readings({.place = SitePlace::channel, .channel = channel.segment});
+    if (dataset_.data->channels.size() > 1) {
+      add_in_directions({.place = SitePlace::channels}, Breadth::whole, &LeversOf::add_readings);
     }
+    for (const Channel& channel : dataset_.data->channels) {
+      add_in_directions({.place = SitePlace::channel, .channel = channel.segment}, Breadth::whole,
+                        &LeversOf::add_readings);
+    }
+  }
+
+  double by_motor(std::size_t row, Index cell) const {
+    return dataset_.rows[row].has_motor_tension ? at_.by_scale[cell] : 0;
+  }
+
+  void add_at_motor(const Site& site, Breadth breadth) {
+    add_cells(Target::gain, site, breadth, [&](std::size_t r, Index cell) {
+      return by_motor(r, cell) * dataset_.rows[r].conditions.motor_tension_N;
+    });
+    add_cells(Target::offset, site, breadth,
+              [&](std::size_t r, Index cell) { return by_motor(r, cell); });
   }
 
   void add_motor() {
     const Site site{.place = SitePlace::motor};
-    const auto by_motor = [&](std::size_t r, Index cell) {
-      return dataset_.rows[r].has_motor_tension ? at_.by_scale[cell] : 0;
-    };
-    add_cells(Target::gain, site, [&](std::size_t r, Index cell) {
-      return by_motor(r, cell) * dataset_.rows[r].conditions.motor_tension_N;
-    });
-    add_cells(Target::offset, site, by_motor);
+    add_in_directions(site, Breadth::whole, &LeversOf::add_at_motor);
     if (!turns_) return;
-    add_cells(Target::force, site, [&](std::size_t r, Index cell) {
+    add_cells(Target::force, site, Breadth::whole, [&](std::size_t r, Index cell) {
       return (block_of_[r]->direction == Direction::pull ? -1 : 1) * by_motor(r, cell);
     });
   }

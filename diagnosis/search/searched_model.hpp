@@ -14,10 +14,13 @@
 
 namespace reeve::diagnosis {
 
+// A term that explains the readings hardly less in the place of others.
 struct Alternative {
-  std::string name;
-  Model model;
+  Effect effect;
   double deficit = 0;  // difference of evidence
+  std::vector<Effect> instead_of;
+
+  std::string name() const { return effect_name(effect); }
 };
 
 struct AcceptedTerm {

@@ -25,9 +25,10 @@ std::optional<double> crossing(const Covariate& x, bool is_logarithmic, double c
 
 // The library or the hardware has a name for the constant: friction, bearing_drag.
 bool is_library_constant(const Lever& lever) {
-  if (lever.site.place != SitePlace::contacts) return true;
+  if (lever.site.place != SitePlace::contacts) return lever.breadth == Breadth::whole;
   return lever.breadth == Breadth::whole &&
-         (lever.target == Target::exponent || lever.site.kind == ContactKind::bearing);
+         (lever.target == Target::exponent || lever.site.kind == ContactKind::bearing ||
+          lever.site.with_sheaths);
 }
 
 class StraightLaws {

@@ -155,14 +155,15 @@ class Searching {
     }
     const Scored less = search_.fitted(as_hardware);
     std::vector<Alternative> result;
-    for (Scored& way : ways_on(search_, words_, less, {now.likelihood}, search_.accepted.size())) {
+    for (const Scored& way :
+         ways_on(search_, words_, less, {now.likelihood}, search_.accepted.size())) {
       if (term_of(*way.term.effect.cause) != nullptr) continue;
       const double more = std::max(
           static_cast<double>(way.term.parameters) - static_cast<double>(coefficients.size()), 0.0);
       const double deficit =
           now.likelihood.value - way.likelihood.value + more * search_.price_of_parameter();
       if (!(deficit < least_evidence)) continue;
-      result.push_back({effect_name(way.term.effect), std::move(way.model), deficit});
+      result.push_back({way.term.effect, deficit, coefficients});
     }
     return result;
   }

@@ -32,9 +32,7 @@ std::string run_apart(const AcceptedTerm& accepted) {
 std::string what_differs(const AcceptedTerm& accepted) {
   std::string text = accepted.effect.cause->meaning();
   for (const Alternative& other : accepted.alternatives) {
-    for (const Effect& effect : other.model.effects) {
-      if (effect_name(effect) == other.name) text.append(", or ").append(effect.cause->meaning());
-    }
+    text.append(", or ").append(other.effect.cause->meaning());
   }
   return text;
 }
@@ -90,8 +88,6 @@ void Confirmation::drop(std::size_t cause) {
 // A size at an end of its range may be another one in truth, and the cause another with it.
 bool Confirmation::stands_at_an_end(const AcceptedTerm& accepted) const {
   constexpr double near = 1e-3;  // share of the range
-  // A law's form that bends as far as it may looks like another form of it.
-  if (term_of(*accepted.effect.cause) != nullptr) return false;
   const Effect& effect = found_.model.effects[place(found_.model, accepted.effect)];
   const auto parameters =
       searched_parameters(*effect.cause, nominal_.hardware, force_scale(*training_.data));
@@ -102,20 +98,19 @@ bool Confirmation::stands_at_an_end(const AcceptedTerm& accepted) const {
   return size <= range.low + margin || size >= range.high - margin;
 }
 
-// The models of the folds: in likelihood than `likely`, or in newtons than `near`.
+// The models of the folds: in likelihood than `likely`, or in residuals than `near`, each reading
+// by its own noise. In newtons, what pulling does would drown in what is left of releasing.
 bool Confirmation::is_worse_on_unseen_runs(const Forecast& likely, const Forecast& near) const {
   // About 0 they say nothing: what they know of a cause may all stand in one run.
   constexpr double refuted = -2;
-  constexpr double same_N = 1.02;
+  constexpr double same = 1.02;
   const Forecast after = beside_runs_apart(joined(folds_, training_, &Fold::forecast));
   const auto misfit_of = [&](const Forecast& at) {
     return robust_misfit(residuals(found_.problem, at));
   };
-  const auto newtons_of = [&](const Forecast& at) {
-    return own_residuals(found_.problem, at).cwiseProduct(found_.problem.deviation_N).norm();
-  };
+  const auto size_of = [&](const Forecast& at) { return own_residuals(found_.problem, at).norm(); };
   return (misfit_of(beside_runs_apart(likely)) - misfit_of(after)) / 2 < refuted ||
-         newtons_of(after) > same_N * newtons_of(beside_runs_apart(near));
+         size_of(after) > same * size_of(beside_runs_apart(near));
 }
 
 const Forecast& Confirmation::without(const std::string& name) {

@@ -74,7 +74,7 @@ bool stands_for(const Effect& found, const AcceptedTerm& cause) {
   const std::string name = effect_name(found);
   return name == effect_name(cause.effect) || is_kin(found, cause.effect) ||
          std::ranges::any_of(cause.alternatives,
-                             [&](const Alternative& other) { return other.name == name; });
+                             [&](const Alternative& other) { return other.name() == name; });
 }
 
 double share_of_folds(const std::vector<Fold>& folds, const AcceptedTerm& cause,

@@ -38,8 +38,7 @@ std::string lines_text(const std::vector<std::size_t>& lines) {
 }  // namespace
 
 bool separates_causes(const DiagnosisResult& result) {
-  return result.next_measurement && result.next_measurement->parameter.empty() &&
-         !result.indistinguishable.empty();
+  return result.next_measurement && !result.next_measurement->between.empty();
 }
 
 std::string findings_table(const DiagnosisReport& report) {
@@ -148,7 +147,7 @@ std::string expected_table(const DiagnosisResult& result) {
   std::string caption = "What the sensors should read there, N";
   Table table{{text_column("sensor")}, {}};
   if (separates) {
-    const std::vector<std::string>& names = result.indistinguishable.front();
+    const std::vector<std::string>& names = result.next_measurement->between;
     caption += fmt::format(": if it is {}, and if it is {}", names[0], names[1]);
     for (int i = 0; i < 2; ++i) {
       table.columns.push_back(number_column(names[static_cast<std::size_t>(i)]));

@@ -147,12 +147,15 @@ std::string indistinguishable_lines(const DiagnosisReport& report) {
 
 std::string separation_line(const DiagnosisReport& report) {
   const DiagnosisResult& result = report.result;
-  const std::vector<std::string>& names = result.indistinguishable.front();
   if (!result.separating_measurement) {
-    return fmt::format("None of the candidate measurements separates {} from {}.\n", names[0],
-                       names[1]);
+    std::vector<std::string> others = result.indistinguishable.front();
+    const std::string first = others.front();
+    others.erase(others.begin());
+    return fmt::format("None of the candidate measurements separates {} from {}.\n", first,
+                       enumerated(others, " or "));
   }
-  return fmt::format("To tell {} from {}, measure {}.\n", names[0], names[1],
+  const std::vector<std::string>& between = result.separating_measurement->between;
+  return fmt::format("To tell {} from {}, measure {}.\n", between[0], between[1],
                      measurement_text(*result.separating_measurement, report));
 }
 

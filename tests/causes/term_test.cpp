@@ -241,9 +241,10 @@ TEST(TermTarget, OfTheMotorChangesWhatArrivesAtTheTendon) {
   }
 }
 
-std::array<double, 2> read_two(const Model& model, double T1, double T2) {
+std::array<double, 2> read_two(const Model& model, double T1, double T2,
+                               Direction direction = Direction::pull) {
   std::array<Sensor, 2> sensors{{{parse_segment("T1"), T1}, {parse_segment("T2"), T2}}};
-  read(model, model.conditions, sensors);
+  read(model, direction, model.conditions, sensors);
   return {sensors[0].reading_N, sensors[1].reading_N};
 }
 
@@ -260,7 +261,8 @@ TEST(TermTarget, OfChannelsChangesWhatTheyRead) {
 TEST(TermTarget, OfMoreChannelsThanEightChangesEach) {
   std::vector<Sensor> sensors;
   for (int i = 1; i <= 12; ++i) sensors.push_back({{SegmentKind::strand, i, (i + 1) / 2}, 1.0 * i});
-  read(model_of(constant(Target::offset, at(SitePlace::channels)), {0.5}), {}, sensors);
+  read(model_of(constant(Target::offset, at(SitePlace::channels)), {0.5}), Direction::pull, {},
+       sensors);
   for (int i = 1; i <= 12; ++i) {
     EXPECT_EQ(sensors[static_cast<std::size_t>(i - 1)].reading_N, i + 0.5);
   }
@@ -369,6 +371,9 @@ TEST(TermSite, RestrictsWhichContactsATermActsOn) {
   site.direction = Direction::release;
   EXPECT_EQ(factors(site), (Four{1, 1, 1, 1}));
   site = contacts(ContactKind::tube);
+  site.with_sheaths = true;
+  EXPECT_EQ(factors(site), (Four{1.5, 1.5, 1.5, 1.5}));
+  site = contacts(ContactKind::tube);
   site.number = 1;
   EXPECT_EQ(factors(site), (Four{1, 1, 1.5, 1}));
   site = contacts(ContactKind::tube);
@@ -411,6 +416,19 @@ TEST(TermSite, OfARunRestrictsMotorAndChannelsLikewise) {
     EXPECT_EQ(tendon_N(motor, Direction::pull), here ? 15 : 10);
     EXPECT_EQ(read_two(sensor, 8, 4)[0], here ? 12 : 8);
   }
+}
+
+TEST(TermSite, OfADirectionRestrictsMotorAndChannelsLikewise) {
+  Site site = at(SitePlace::motor);
+  site.direction = Direction::release;
+  const Model motor = model_of(constant(Target::gain, site), {0.5});
+  EXPECT_EQ(tendon_N(motor, Direction::pull), 10);
+  EXPECT_EQ(tendon_N(motor, Direction::release), 15);
+  site = channel("T1");
+  site.direction = Direction::release;
+  const Model sensor = model_of(constant(Target::gain, site), {0.5});
+  EXPECT_EQ(read_two(sensor, 8, 4, Direction::pull)[0], 8);
+  EXPECT_EQ(read_two(sensor, 8, 4, Direction::release)[0], 12);
 }
 
 TEST(TermSite, OfAFingerTellsTheFingersApart) {
@@ -632,6 +650,11 @@ TEST(SiteName, IsReadBack) {
                            "tube of held fingers",
                            "sheath of closing fingers",
                            "tube in release",
+                           "tube and sheath",
+                           "tube and sheath of finger 2 in pull",
+                           "T3 in release",
+                           "motor in pull in run 2",
+                           "all channels in release",
                            "sheath of held fingers in pull of M-1-F in run 2",
                            "bearing 3",
                            "tube 2 of M-1-T-2-F",
@@ -661,10 +684,10 @@ TEST(SiteName, IsReadBack) {
 }
 
 TEST(SiteName, OfNothingIsNoSite) {
-  for (const char* name :
-       {"", "tubes", "T", "T0", "motors", "tube of finger 0", "tube of ", "tube of finger x",
-        "tube 0", "sheath of finger 99999999999999999999", "motor of finger 1", "channels",
-        "tube of finger 1 2", "tube in run ", "tube 01", "T3 in group "}) {
+  for (const char* name : {"", "tubes", "T", "T0", "motors", "tube of finger 0", "tube of ",
+                           "tube of finger x", "tube 0", "sheath of finger 99999999999999999999",
+                           "motor of finger 1", "channels", "tube of finger 1 2", "tube in run ",
+                           "tube 01", "T3 in group ", "T3 of finger 1", "tube and sheath 2"}) {
     EXPECT_FALSE(site_named(name)) << name;
   }
 }

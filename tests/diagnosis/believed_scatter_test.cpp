@@ -4,7 +4,6 @@
 #include "diagnosis/diagnose.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
 #include "tests/support/planting.hpp"
-#include "tests/support/sanitizers.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -26,21 +25,6 @@ TEST(BelievedScatter, IsThreeTimesTheAssumedOneAtMost) {
   EXPECT_DOUBLE_EQ(believed(scatter).relative[3], 0.015);
   scatter.given = true;
   EXPECT_FALSE(is_beyond_belief(scatter));
-}
-
-// Where a carriage's loop sticks, exponents that differ by 8 % look like 24 % and gains that differ
-// by a tenth: by that a gain of 0.88 would be no more than what mountings do.
-TEST(BelievedScatter, LeavesTheGainOfASensorToBeFound) {
-  SKIP_UNDER_SANITIZERS();
-  PlantingPlan plan;
-  plan.effects = {EffectKind::sensor_gain};
-  plan.size = EffectSize::large;
-  plan.noise.mounted_exponent = 0.08;
-  plan.runs = 6;
-  const DiagnosisResult result = diagnosed(plan, 7);
-  ASSERT_EQ(result.causes.size(), 1U);
-  EXPECT_EQ(result.causes[0].name, "sensor_gain[T2]");
-  EXPECT_TRUE(result.mounting.is_bounded);
 }
 
 TEST(BelievedScatter, NamesNothingOfARigThatIsMountedBadly) {

@@ -41,6 +41,7 @@ TEST(SeparatingMeasurement, OfSpeedAndFrictionAsksForAnotherSpeed) {
   ASSERT_TRUE(measurement.has_value());
   EXPECT_NE(measurement->measurement.conditions.speed_mm_s, 30);
   EXPECT_TRUE(measurement->measurement.uses_speed);
+  EXPECT_EQ(measurement->between, (std::vector<std::string>{"a", "b"}));
   EXPECT_GT(measurement->expected_log_likelihood, 1);
 }
 

@@ -66,7 +66,7 @@ TEST(ExpectedTable, HasAColumnForEachOfTwoCausesThatAreToBeSeparated) {
   DiagnosisResult result;
   result.next_measurement.emplace().expected = {{"T1", 5, 6, 0.1}};
   EXPECT_EQ(rows_of(expected_table(result)), Rows{"T1|5|0.1|"});
-  result.indistinguishable = {{"wear", "drift"}};
+  result.next_measurement->between = {"wear", "drift"};
   EXPECT_EQ(rows_of(expected_table(result)), Rows{"T1|5|6|0.1|"});
 }
 

@@ -223,7 +223,10 @@ TEST(DiagnosisAnswer, OfCausesThatCannotBeToldApartNamesThemAll) {
   report.result.indistinguishable = {{"tube_friction", "wear", "temperature"}};
   EXPECT_TRUE(says(report, "Ambiguous: tube_friction, wear or temperature explains the data"));
   EXPECT_TRUE(
-      says(report, "None of the candidate measurements separates tube_friction from wear."));
+      says(report,
+           "None of the candidate measurements separates tube_friction from wear or temperature."));
+  report.result.separating_measurement.emplace().between = {"tube_friction", "temperature"};
+  EXPECT_TRUE(says(report, "To tell tube_friction from temperature, measure "));
 }
 
 TEST(DiagnosisAnswer, OfWhatIsUnexplainedSaysWhere) {
