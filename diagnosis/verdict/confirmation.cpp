@@ -1,6 +1,7 @@
 #include "diagnosis/verdict/confirmation.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "causes/term.hpp"
@@ -73,11 +74,35 @@ std::vector<std::string> Confirmation::remove_the_others() {
   const bool forecasts = std::ranges::any_of(
       found_.accepted, [](const AcceptedTerm& of) { return run_apart(of).empty(); });
   if (!forecasts) return not_confirmed_;
+  keep_what_is_named();
   const Forecast nominal = joined(folds_, training_, &Fold::nominal);
   const Forecast base = joined(folds_, training_, &Fold::base);
   if (!is_worse_on_unseen_runs(base, nominal)) return not_confirmed_;
   while (!found_.accepted.empty()) drop(found_.accepted.size() - 1);
   return not_confirmed_;
+}
+
+// What a fold finds besides is no part of the answer, whose gain it would add to.
+void Confirmation::keep_what_is_named() {
+  const auto is_named = [this](const AcceptedTerm& of_fold) {
+    return std::ranges::any_of(found_.accepted, [&](const AcceptedTerm& accepted) {
+      return stands_for(of_fold.effect, accepted);
+    });
+  };
+  for (Fold& fold : folds_) {
+    Model named = fold.found.model;
+    for (const AcceptedTerm& of_fold : fold.found.accepted) {
+      if (!is_named(of_fold))
+        named = reeve::diagnosis::without(named, place(named, of_fold.effect));
+    }
+    if (named.effects.size() == fold.found.model.effects.size()) continue;
+    const Dataset training = dataset(*training_.data, readings_beside(training_, fold));
+    const Problem seen = problem(training, fold.found.scatter, named, workers_);
+    fold.found.model = fit(seen, named).model;
+    std::erase_if(fold.found.accepted, std::not_fn(is_named));
+    fold.forecast = try_forecast(fold.unseen, fold.found.model).value_or(fold.base);
+  }
+  without_.clear();
 }
 
 void Confirmation::drop(std::size_t cause) {

@@ -2,7 +2,9 @@
 //
 // A term stays that holds in most folds, whose size is known, and without which the models of the
 // folds lose on the runs that they have not seen. None stays if these models together lose there
-// against coefficients alone. Runs apart are of no model that forecasts others.
+// against coefficients alone. Then these models keep the terms that stay, or what stands for them
+// in a fold, and their gain is that of the answer. Runs apart are of no model that forecasts
+// others.
 #pragma once
 
 #include <map>
@@ -39,6 +41,7 @@ class Confirmation {
   const Forecast& without(const std::string& name);
 
  private:
+  void keep_what_is_named();
   void drop(std::size_t cause);
   bool stands_at_an_end(const AcceptedTerm& accepted) const;
   bool is_worse_on_unseen_runs(const Forecast& likely, const Forecast& near) const;
