@@ -206,7 +206,7 @@ std::vector<double> readings(const Model& model, const Network& network) {
   for (const Segment& segment : network.segments) {
     sensors.push_back({segment, 3.25 + 0.1 * static_cast<double>(sensors.size()), sensors.size()});
   }
-  read(model, model.conditions, sensors);
+  read(model, Direction::pull, model.conditions, sensors);
   std::vector<double> result;
   for (const Sensor& sensor : sensors) result.push_back(sensor.reading_N);
   return result;

@@ -42,7 +42,7 @@ std::vector<double> readings(const Model& model, const std::vector<Reading>& ten
   }
   Conditions conditions;
   conditions.order = order;
-  read(model, conditions, sensors);
+  read(model, Direction::pull, conditions, sensors);
   std::vector<double> result;
   for (const Sensor& sensor : sensors) result.push_back(sensor.reading_N);
   return result;
@@ -107,13 +107,13 @@ TEST(CrossTalk, AddsAPartOfTheColumnsBesideIt) {
 TEST(CrossTalk, LooksAtNeighbouringColumnsAndNotAtTheNextSensor) {
   const Model model = model_with({effect("cross_talk", {0.1}, of_channel("T1"))});
   std::vector<Sensor> sensors{{parse_segment("T1"), 8, 0}, {parse_segment("T4"), 5, 2}};
-  read(model, {}, sensors);
+  read(model, Direction::pull, {}, sensors);
   EXPECT_EQ(sensors[0].reading_N, 8);
   sensors[1].column = std::nullopt;
-  read(model, {}, sensors);
+  read(model, Direction::pull, {}, sensors);
   EXPECT_EQ(sensors[0].reading_N, 8);
   sensors[1].column = 1;
-  read(model, {}, sensors);
+  read(model, Direction::pull, {}, sensors);
   EXPECT_EQ(sensors[0].reading_N, 8.5);
 }
 

@@ -124,7 +124,7 @@ TEST(ExplainedResiduals, OfATermThatMakesThemWorseAreBelowZero) {
 TEST(StandIns, OfACauseAreItsAlternatives) {
   AcceptedTerm accepted;
   accepted.effect = of_size(on_T1, 3);
-  accepted.alternatives.push_back({"nearly_on_T1", with({of_size(nearly_on_T1, 3)}), 0.1});
+  accepted.alternatives.push_back({of_size(nearly_on_T1, 3), 0.1, {accepted.effect}});
   EXPECT_TRUE(diagnosis::stands_for(of_size(on_T1, 2), accepted));
   EXPECT_TRUE(diagnosis::stands_for(of_size(nearly_on_T1, 1), accepted));
   EXPECT_FALSE(diagnosis::stands_for(of_size(on_T2, 1), accepted));
