@@ -29,6 +29,7 @@ constexpr std::array known_names{
     KnownName{"held", "held", DataRole::held},
     KnownName{"direction", "direction", DataRole::direction},
     KnownName{"motortension", "motor_tension_N", DataRole::motor_tension, Dimension::force},
+    KnownName{"motorforce", "motor_tension_N", DataRole::motor_tension, Dimension::force},
     KnownName{"motortensionsd", "motor_tension_sd_N", DataRole::motor_deviation, Dimension::force},
     KnownName{"speed", "speed_mm_s", DataRole::speed, Dimension::speed},
     KnownName{"cycle", "cycle", DataRole::cycle},

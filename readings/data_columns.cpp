@@ -75,9 +75,13 @@ void require(Header& header, DataRole role, const std::string& column,
   header.fail({.what = "the header has no column " + column, .expected = expected});
 }
 
-void require_columns(Header& header) {
-  require(header, DataRole::run, "'run'", "a name or number for each run");
-  require(header, DataRole::routing, "'routing'", "a routing in each row");
+void require_columns(Header& header, const std::string& map_option) {
+  const auto named = [&](const char* meaning) {
+    return map_option.empty() ? ""
+                              : fmt::format("; name it with {} 'COLUMN={}'", map_option, meaning);
+  };
+  require(header, DataRole::run, "'run'", "a name or number for each run" + named("run"));
+  require(header, DataRole::routing, "'routing'", "a routing in each row" + named("routing"));
   if (header.has_bad_column()) return;
   require(header, DataRole::tension, "of tensions",
           "at least one such as T1_N (strand), Ta_N (motor-side segment) or Th1_N (stretch at "
@@ -109,7 +113,7 @@ DataColumns read_columns(const CsvReader& csv, const std::optional<CsvRow>& unit
   Header header(csv, units, options, file_of_readings, faults);
   require_noise(header, options);
   require_no_log(csv, header.columns());
-  require_columns(header);
+  require_columns(header, options.map_option);
   require_tensions_of_deviations(header);
   return header.finish();
 }

@@ -24,7 +24,7 @@ void expect_read(const std::map<std::string, std::string>& meanings) {
 
 TEST(ColumnName, IsReadInAnySpelling) {
   for (const char* name : {"motor_tension_N", "Motor Tension [N]", "MOTOR-TENSION (n)",
-                           "motorTension_N", " motor.tension N "}) {
+                           "motorTension_N", " motor.tension N ", "motor_force_N"}) {
     EXPECT_EQ(read_as(name), "motor_tension_N in N") << name;
   }
   EXPECT_EQ(read_as("Motor Tension"), "motor_tension_N");
