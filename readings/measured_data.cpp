@@ -11,7 +11,6 @@
 
 #include "readings/data_columns.hpp"
 #include "readings/data_notes.hpp"
-#include "readings/motor_limit.hpp"
 #include "readings/outliers.hpp"
 #include "readings/row_order.hpp"
 #include "readings/row_reader.hpp"
@@ -122,7 +121,6 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
   // Reeve itself writes its own letters.
   if (!data.simulated && has_letters(columns.columns)) note_letters(data);
   leave_out_negative_motor_tensions(data);
-  free_motor_tensions_at_their_limit(data);
   set_outliers_aside(data);
   set_taken(data);
   note_what_looks_wrong(data, below_the_header);
