@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace reeve::reports {
 namespace {
 
@@ -11,7 +9,7 @@ namespace {
 std::string friction_of(const Site& site) {
   std::string name = site_name(site);
   if (site.number) return "friction of " + name;
-  const std::string kind = kind_name(site);
+  const std::string kind = contact_kind_name(site.kind);
   return kind + " friction" + name.substr(kind.size());
 }
 
@@ -110,10 +108,6 @@ std::string law_meaning(const Term& term, const std::vector<double>& values) {
       return fmt::format("{} is {} than in the nominal model", about,
                          greater_or_smaller(values[0]));
     case Form::step:
-      if (term.x.kind == CovariateKind::column && term.x.column == "run") {
-        return fmt::format("{} is {} from run {:.0f} on", about, greater_or_smaller(values[0]),
-                           std::floor(values[1]) + 1);
-      }
       return fmt::format("{} is {} where {} is above {:.4g}", about, greater_or_smaller(values[0]),
                          x, values[1]);
     case Form::hinge:

@@ -60,11 +60,6 @@ std::string of(Form form, std::vector<double> values) {
   return law_meaning(law_at(Target::exponent, "sheath", form), values);
 }
 
-TEST(LawMeaning, OfAStepSaysFromWhichRunOn) {
-  EXPECT_EQ(law_meaning(law_at(Target::exponent, "tube", Form::step, "run"), {-0.25, 5.5}),
-            "tube friction is smaller from run 6 on");
-}
-
 TEST(LawMeaning, SaysHowItChangesOverTheRangeSeen) {
   EXPECT_EQ(of(Form::constant, {0.1}), "sheath friction is greater than in the nominal model");
   EXPECT_EQ(of(Form::constant, {-0.1}), "sheath friction is smaller than in the nominal model");
