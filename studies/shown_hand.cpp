@@ -239,10 +239,16 @@ class HandStudy {
     MotorDemand& demand = shown.demand;
     demand.closure = 1;
     double to_fingers = 0;
+    double longest_mm = 0;
     FingerArray closed;
     closed.fill(1);
     for (const Grasp& open : opened(grasps)) {
-      const HandClosing closing = closing_of(open, shown.motors, to_fingers);
+      double reaches = 0;
+      const HandClosing closing = closing_of(open, shown.motors, reaches);
+      if (closing.stroke_mm > longest_mm) {
+        longest_mm = closing.stroke_mm;
+        to_fingers = reaches;
+      }
       demand.closure = std::min(demand.closure, closing.closure);
       for (std::size_t m = 0; m < max_carriages; ++m) {
         demand.strokes_mm[m] = std::max(demand.strokes_mm[m], closing.strokes_mm[m]);

@@ -88,7 +88,9 @@ void TensionSolver::solve_open(const TendonSpan& tendon, const Mechanics& mechan
 }
 
 // Between the last two segments. A strand that rests at its palm end has its guides apart, and
-// between them and the tip a stretch without length, which takes up what the strand does.
+// between them and the tip a stretch without length, which takes up what the strand does. In
+// release it is the other strand; no strand takes anything up then, and both ways allow the same
+// tensions.
 void TensionSolver::add_contact(std::size_t contact, const Mechanics& mechanics) {
   const ChainContact tip{mechanics.decay[contact], slide_of(motion_.slip[contact])};
   if (resting_guides_.empty() || resting_guides_[contact] == 1) {

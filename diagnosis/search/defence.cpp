@@ -78,8 +78,9 @@ bool is_kin(const Effect& a, const Effect& b) {
   const Term* y = term_of(*b.cause);
   if (x == nullptr || y == nullptr || x->target != y->target) return false;
   Site site = x->site;
-  const bool are_of_directions = site.direction && y->site.direction;
-  if (are_of_directions && x->form == Form::constant && y->form == Form::constant) {
+  const bool are_beside_a_coefficient =
+      x->target == causes::Target::exponent && site.direction && y->site.direction;
+  if (are_beside_a_coefficient && x->form == Form::constant && y->form == Form::constant) {
     site.direction = y->site.direction;
   }
   if (causes::site_name(site) != causes::site_name(y->site)) return false;

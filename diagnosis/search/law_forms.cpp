@@ -60,7 +60,8 @@ LawForm in_other_direction(const Effect& law, Term term) {
   term.site.direction =
       *term.site.direction == Direction::pull ? Direction::release : Direction::pull;
   const double a = law.values.front();
-  const bool is_factor = term.target == Target::exponent || term.target == Target::gain;
+  const bool is_factor = term.target == Target::gain || (term.target == Target::exponent &&
+                                                         causes::is_tube_or_sheath(term.site.kind));
   const std::vector<double> start{is_factor && a > -1 ? 1 / (1 + a) - 1 : -a};
   return {{&causes::law(term), law.subject, start}, {start}, 0};
 }

@@ -71,18 +71,22 @@ std::vector<std::string> Confirmation::remove_the_others() {
     const Forecast less = without(effect_name(found_.accepted[c].effect));
     if (is_worse_on_unseen_runs(less, less)) drop(c);
   }
-  const bool forecasts = std::ranges::any_of(
-      found_.accepted, [](const AcceptedTerm& of) { return run_apart(of).empty(); });
-  if (!forecasts) return not_confirmed_;
   keep_what_is_named();
-  const Forecast nominal = joined(folds_, training_, &Fold::nominal);
-  const Forecast base = joined(folds_, training_, &Fold::base);
-  if (!is_worse_on_unseen_runs(base, nominal)) return not_confirmed_;
+  if (!lose_on_unseen_runs()) return not_confirmed_;
   while (!found_.accepted.empty()) drop(found_.accepted.size() - 1);
+  keep_what_is_named();
   return not_confirmed_;
 }
 
-// What a fold finds besides is no part of the answer, whose gain it would add to.
+bool Confirmation::lose_on_unseen_runs() const {
+  const bool forecasts = std::ranges::any_of(
+      found_.accepted, [](const AcceptedTerm& of) { return run_apart(of).empty(); });
+  return forecasts && is_worse_on_unseen_runs(joined(folds_, training_, &Fold::base),
+                                              joined(folds_, training_, &Fold::nominal));
+}
+
+// What a fold finds besides is no part of the answer, whose gain it would add to. Found in the
+// place of what is named, it gives way to that.
 void Confirmation::keep_what_is_named() {
   const auto is_named = [this](const AcceptedTerm& of_fold) {
     return std::ranges::any_of(found_.accepted, [&](const AcceptedTerm& accepted) {
@@ -90,16 +94,21 @@ void Confirmation::keep_what_is_named() {
     });
   };
   for (Fold& fold : folds_) {
-    Model named = fold.found.model;
-    for (const AcceptedTerm& of_fold : fold.found.accepted) {
-      if (!is_named(of_fold))
-        named = reeve::diagnosis::without(named, place(named, of_fold.effect));
+    std::vector<AcceptedTerm>& of_fold = fold.found.accepted;
+    if (std::ranges::all_of(of_fold, is_named)) continue;
+    Model model = fold.found.model;
+    for (const AcceptedTerm& term : of_fold) {
+      if (!is_named(term)) model = reeve::diagnosis::without(model, place(model, term.effect));
     }
-    if (named.effects.size() == fold.found.model.effects.size()) continue;
+    std::erase_if(of_fold, std::not_fn(is_named));
+    for (const AcceptedTerm& accepted : found_.accepted) {
+      if (its_name_in(model, effect_name(accepted.effect)).empty()) {
+        add_effect(model, accepted.effect);
+        of_fold.push_back(accepted);
+      }
+    }
     const Dataset training = dataset(*training_.data, readings_beside(training_, fold));
-    const Problem seen = problem(training, fold.found.scatter, named, workers_);
-    fold.found.model = fit(seen, named).model;
-    std::erase_if(fold.found.accepted, std::not_fn(is_named));
+    fold.found.model = fit(problem(training, fold.found.scatter, model, workers_), model).model;
     fold.forecast = try_forecast(fold.unseen, fold.found.model).value_or(fold.base);
   }
   without_.clear();

@@ -42,6 +42,7 @@ class Confirmation {
 
  private:
   void keep_what_is_named();
+  bool lose_on_unseen_runs() const;
   void drop(std::size_t cause);
   bool stands_at_an_end(const AcceptedTerm& accepted) const;
   bool is_worse_on_unseen_runs(const Forecast& likely, const Forecast& near) const;

@@ -151,6 +151,7 @@ class GuideReader {
 struct GuidedTrial {
   Routing routing;
   Grasp grasp;
+  Direction direction;
   ReferenceHardware laws;
   TendonParts tendon{};
   std::map<std::string, double> springs_mm{};
@@ -188,7 +189,13 @@ GuidedTrial random_guided_trial(Dice& dice) {
   Routing routing = dice.chance(0.6) ? testing::random_routing(dice, {1, 4, true, true})
                                      : parse_routing(testing::random_mechanism(dice));
   if (dice.chance(0.5)) routing = testing::with_several_motors(dice, routing);
-  GuidedTrial trial{routing, testing::random_grasp(dice, finger_count(routing)), {}, {}, {}, {}};
+  GuidedTrial trial{routing,
+                    testing::random_grasp(dice, finger_count(routing)),
+                    dice.chance(0.3) ? Direction::release : Direction::pull,
+                    {},
+                    {},
+                    {},
+                    {}};
   trial.laws = testing::random_reference_hardware(dice, to_word(routing));
   if (dice.chance(0.5)) add_springs(dice, expand(routing), trial);
   const std::set<int> of_loops = fingers_of_loops(routing);
@@ -238,7 +245,7 @@ ReferenceResult reference_of(const GuidedTrial& trial, const Network& plain, con
   };
   laws.length_override = [length](const std::string& name, double) { return length.at(name); };
   return testing::reference_tensions(to_word(with_tubes(trial.routing, trial.guides)), trial.grasp,
-                                     Direction::pull, laws);
+                                     trial.direction, laws);
 }
 
 void put_guides(const Network& network, const Guides& guides, Mechanics& m) {
@@ -287,7 +294,7 @@ TEST(FingerGuidesProperty, TensionsAtPalmAndJointsAreThoseOfAnIndependentSolver)
     Mechanics m = plain;
     put_guides(network, trial.guides, m);
     TensionState state;
-    TensionSolver().solve(network, m, trial.grasp, Direction::pull, state);
+    TensionSolver().solve(network, m, trial.grasp, trial.direction, state);
     if (!state.in_range || rests_in_a_tree(network, trial.guides, state)) continue;
     const GuidedNetwork guided = GuideReader(network, trial.routing, trial.guides).result();
     ReferenceResult expected;
@@ -308,6 +315,7 @@ TEST(FingerGuidesProperty, TensionsAtPalmAndJointsAreThoseOfAnIndependentSolver)
     }
     const FingerPullArray pulls = finger_pulls_of(network, m, state);
     for (const auto& [finger, exponents] : trial.guides) {
+      if (trial.direction == Direction::release) break;  // pulls are of motors that pull
       for (std::size_t j = 0; j < exponents.size(); ++j) {
         double behind = 0;
         for (const GuidedStrand& strand : guided.strands.at(finger)) {

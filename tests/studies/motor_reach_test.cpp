@@ -154,7 +154,9 @@ TEST(HandDemand, WithALockedEndIsThatOfATendonThatIsFixedThere) {
   const Hardware hardware =
       with_motor(hand_of({simple_finger(10, 57.3, 50, 2), simple_finger(10, 57.3, 50, 2)}), 20, 12);
   const auto shown = [&](const std::string& word, const Grasp& grasp) {
-    return *studies::shown_hand(expand(parse_routing(word)), word, Model{hardware}, {{grasp, 1}});
+    GraspSet grasps{{grasp, 1}};
+    if (grasp.locked != 0) grasps.push_back({{}, 1});  // whose stroke is the shorter one
+    return *studies::shown_hand(expand(parse_routing(word)), word, Model{hardware}, grasps);
   };
   const ShownHand locked = shown("M-1-T-2-M", {0, {}, 2});
   const ShownHand fixed = shown("M-1-T-2-F", {});
