@@ -66,15 +66,14 @@ std::vector<std::string> Confirmation::remove_the_others() {
     if (accepted.folds.value_or(1) <= most || stands_at_an_end(accepted)) drop(c);
   }
   if (folds_.empty()) return not_confirmed_;
+  keep_what_is_named();
   for (std::size_t c = found_.accepted.size(); c-- > 0;) {
     if (!run_apart(found_.accepted[c]).empty()) continue;
     const Forecast less = without(effect_name(found_.accepted[c].effect));
     if (is_worse_on_unseen_runs(less, less)) drop(c);
   }
-  keep_what_is_named();
   if (!lose_on_unseen_runs()) return not_confirmed_;
   while (!found_.accepted.empty()) drop(found_.accepted.size() - 1);
-  keep_what_is_named();
   return not_confirmed_;
 }
 
@@ -117,6 +116,7 @@ void Confirmation::keep_what_is_named() {
 void Confirmation::drop(std::size_t cause) {
   not_confirmed_.insert(not_confirmed_.begin(), effect_name(found_.accepted[cause].effect));
   found_ = without_term(training_, found_, cause, options_, workers_);
+  keep_what_is_named();
 }
 
 // A size at an end of its range may be another one in truth, and the cause another with it.
