@@ -77,8 +77,8 @@ TEST(BadData, OfADiagnosisAreNamedBeforeTheWork) {
        "ok.csv:1: the unit of all tensions: expected one unit, and 2 are given"},
       {"compare ok.csv --unit T1=kgf --unit T1_N=N",
        "ok.csv:1: column 4 'T1_N': expected one unit, and 2 are given"},
-      {"compare ok.csv --map run=cycle",
-       "ok.csv:1: the header has no column 'run': expected a name or number for each run; name it "
+      {"compare norun.csv",
+       "norun.csv:1: the header has no column 'run': expected a name or number for each run; name it "
        "with --map 'COLUMN=run'"},
       {"diagnose --out out --save-model model.toml ok.csv --terms none.toml",
        "none.toml: cannot be"},

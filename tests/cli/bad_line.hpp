@@ -72,6 +72,7 @@ inline void fill(const TemporaryFolder& folder) {
   folder.write("vary_same.toml", "[vary]\ntip_angle = [1, 4]\nequal = [\"all\"]\n");
   folder.write("ok.csv", "run,routing,motor_tension_N,T1_N\nA,TR1,20,6\n");
   folder.write("residuals.csv", "run,routing,motor_tension_N,T1_N\nA,TR1,20,6\n");
+  folder.write("norun.csv", "routing,motor_tension_N,T1_N\nTR1,20,6\n");
   folder.write("cell.csv", "run,routing,T1_N\nA,TR1,x\n");
   folder.write("empty.csv", "");
   folder.write("tiny.csv", "run,routing,motor_tension_N,T1_N\nA,TR1,20,6\nA,TR1,20,1e-200\n");
