@@ -44,9 +44,8 @@ void ContactQuantileFinder::read(const Network& network, const TensionState& sta
                                  std::vector<double>& logs) const {
   logs.clear();
   double work = 0;
-  for (std::size_t i = 0; i < network.segments.size(); ++i) {
+  for (const std::size_t i : strands_) {
     const Segment& segment = network.segments[i];
-    if (segment.kind != SegmentKind::strand || yields(network, state, i)) continue;
     logs.push_back(log_of(state.tension[i]));
     work += state.tension[i] * segment.way() *
             state.closing[static_cast<std::size_t>(segment.finger) - 1];
@@ -72,7 +71,13 @@ void ContactQuantileFinder::draw_logs() {
 void ContactQuantileFinder::add_grasp(const Network& network, Mechanics& nominal,
                                       const std::vector<double>& deviations,
                                       const WeightedGrasp& grasp, const Solve& solve) {
-  read(network, solve(nominal, grasp.grasp, false), base_);
+  const TensionState& state = solve(nominal, grasp.grasp, false);
+  strands_.clear();
+  for (std::size_t i = 0; i < network.segments.size(); ++i) {
+    const bool is_strand = network.segments[i].kind == SegmentKind::strand;
+    if (is_strand && !yields(network, state, i)) strands_.push_back(i);
+  }
+  read(network, state, base_);
   if (drawn_.size() < base_.size()) drawn_.resize(base_.size());
   if (slopes_.size() < base_.size()) slopes_.resize(base_.size());
   for (std::vector<Slope>& slopes : slopes_) slopes.clear();

@@ -60,6 +60,7 @@ class ContactQuantileFinder {
     double value;
   };
 
+  std::vector<std::size_t> strands_;        // segments that count in a grasp
   std::vector<Draws> z_;                    // one for each contact
   std::vector<Draws> drawn_;                // one for each logarithm
   std::vector<std::vector<Slope>> slopes_;  // likewise, but for those that are 0
