@@ -16,7 +16,7 @@ template <typename Visit>
 void for_each_third_tie(std::vector<PlacedWalk>& walks, Visit visit) {
   for (PlacedWalk& walk : walks) {
     if (walk.size() == 1) continue;  // refused later
-    // What is inserted at the back leaves the front where it is.
+    // A token that is added at the back leaves the front where it is.
     if (is_arms(walk.back())) visit(walk, walk.size() - 1);
     if (is_arms(walk.front())) visit(walk, std::size_t{0});
   }

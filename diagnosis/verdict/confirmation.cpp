@@ -84,8 +84,8 @@ bool Confirmation::lose_on_unseen_runs() const {
                                               joined(folds_, training_, &Fold::nominal));
 }
 
-// What a fold finds besides is no part of the answer, whose gain it would add to. Found in the
-// place of what is named, it gives way to that.
+// Terms that a fold alone has are no part of the answer, whose gain they would add to. The fold may
+// have found them in the place of named ones, so it gets those that it lacks.
 void Confirmation::keep_what_is_named() {
   const auto is_named = [this](const AcceptedTerm& of_fold) {
     return std::ranges::any_of(found_.accepted, [&](const AcceptedTerm& accepted) {

@@ -1,4 +1,4 @@
-// What the folds say of a search, in planted data.
+// Confirmation of a search by its folds, in planted data.
 #include "diagnosis/verdict/confirmation.hpp"
 
 #include <gtest/gtest.h>

@@ -42,6 +42,26 @@ TEST(HandOfTheCommands, NeedsTwiceTheStrokeOfAMotorAloneOnATendonOfTwo) {
   }
 }
 
+// The 95 % quantile is over draws that do not hold it.
+TEST(HandOfTheCommands, NotesACoefficientThatTheDrawsOfItsForceAreNotAbout) {
+  const TemporaryFolder folder;
+  const std::string hand =
+      "[hand]\nforce_N = 5\njoints = [{ arm_mm = 8, range_deg = 90, lever_mm = 60 }]\n";
+  folder.write("within.toml", hand);
+  folder.write("outside.toml", hand + "[sheath]\nmu = 0\n");
+  const ProcessOptions there{.directory = folder.path()};
+  for (const char* command : {"show M-1x", "rank M-1x", "explore --fingers 1 --parts paper"}) {
+    const auto notes = [&](const std::string& file) {
+      Arguments arguments(command);
+      arguments.insert(arguments.end(), {"--hardware", file});
+      return has(reeve(arguments, there).out,
+                 "the nominal friction coefficient of sheaths, 0, is outside its range");
+    };
+    EXPECT_TRUE(notes("outside.toml")) << command;
+    EXPECT_FALSE(notes("within.toml")) << command;
+  }
+}
+
 TEST(HandOfTheCommands, IsTheSameInShowRankAndExplore) {
   const TemporaryFolder folder;
   const Json shown = hand_json({"show", design_of_the_document})["hand"];

@@ -201,7 +201,7 @@ GuidedTrial random_guided_trial(Dice& dice) {
   const std::set<int> of_loops = fingers_of_loops(routing);
   for (int finger = 1; finger <= finger_count(routing); ++finger) {
     if (dice.chance(0.2)) continue;
-    // What goes round a loop follows another law there (finger_guides.hpp).
+    // Circulation round a loop follows another law there (finger_guides.hpp).
     if (!trial.grasp.holds(finger) && of_loops.contains(finger)) continue;
     for (int n = dice.integer(1, 3); n > 0; --n) {
       trial.guides[finger].push_back(dice.real(0, 0.4));
