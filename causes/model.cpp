@@ -11,9 +11,12 @@
 namespace reeve::causes {
 namespace {
 
+// Of laws, a gain acts before an offset, as it does of the library's sensors: T (1 + f) + g.
 std::ptrdiff_t place(const Cause* cause) {
   const auto causes = cause_library();
-  return std::ranges::find(causes, cause) - causes.begin();
+  const Term* law = term_of(*cause);
+  return std::ranges::find(causes, cause) - causes.begin() +
+         (law == nullptr ? 0 : static_cast<std::ptrdiff_t>(law->target));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace reeve::causes {
 
 struct Model {
   Hardware hardware;
-  std::vector<Effect> effects{};  // in the order of the library
+  std::vector<Effect> effects{};  // in the order of the library, then laws by their targets
   // Under which a design is judged, where no reading says otherwise.
   Conditions conditions{};
 };
@@ -29,7 +29,7 @@ struct ConditionRow {
 };
 std::span<const ConditionRow> condition_table();
 
-// Adds an effect at its place in the order of the library.
+// Adds an effect at its place in that order.
 void add_effect(Model& model, Effect effect);
 
 // The hardware with all effects on it.

@@ -59,6 +59,7 @@ class Searching {
         if (stop("weighing other causes")) return false;
         defend(search_, words_, c);
       }
+      move_steps();
     }
     for (std::size_t c = 0; c < accepted().size() && !words_.effort.level; ++c) {
       if (stop("weighing other causes")) return false;
@@ -237,6 +238,48 @@ class Searching {
     } else {
       accepted().back() = own;
     }
+  }
+
+  // Moves accepted steps to likelier places between neighbours of the recorded values: no fit moves
+  // a step, and each was screened beside fewer terms.
+  void move_steps() {
+    const auto& covariates = words_.screened(search_.now.model, accepted().size()).laws.covariates;
+    const auto name = [](const RowCovariate& x) { return causes::covariate_name(x.covariate); };
+    const std::vector<AcceptedTerm> terms = accepted();
+    for (const AcceptedTerm& term : terms) {
+      const Term* law = term_of(*term.effect.cause);
+      if (law == nullptr || law->form != Form::step) continue;
+      const auto x = std::ranges::find(covariates, causes::covariate_name(law->x), name);
+      if (x != covariates.end()) move_step(term.effect, x->distinct);
+    }
+  }
+
+  void move_step(const Effect& step, const std::vector<double>& seen) {
+    const auto from = std::ranges::upper_bound(seen, step.values[1]) - seen.begin();
+    for (const std::ptrdiff_t by : {-1, 1}) {
+      for (auto to = from + by; to > 0 && to < std::ssize(seen); to += by) {
+        const auto k = static_cast<std::size_t>(to);
+        if (!place_step(step, (seen[k - 1] + seen[k]) / 2)) break;
+      }
+    }
+  }
+
+  // Returns false, and changes nothing, where the step is no likelier there, also without terms
+  // that made up for its place.
+  bool place_step(const Effect& step, double at) {
+    const SearchedModel before = search_;
+    if (!names(accepted()).contains(effect_name(step))) return false;
+    Model moved = before.now.model;
+    moved.effects[place(moved, step)].values[1] = at;
+    const Scored other = search_.fitted(moved);
+    if (!(other.evidence > before.now.evidence - clearly_likelier)) return false;
+    search_.settle(other.model);
+    drop_superfluous(search_);
+    if (search_.now.evidence > before.now.evidence + clearly_likelier) return true;
+    search_.accepted = before.accepted;
+    search_.shape = before.shape;
+    search_.now = before.now;
+    return false;
   }
 
   const Vocabulary words_;
