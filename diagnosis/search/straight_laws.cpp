@@ -65,7 +65,7 @@ class StraightLaws {
     if (columns_.is_of_noise(x)) return;
     laws.push_back({Form::linear, c});
     if (is_logarithmic(x)) laws.push_back({Form::log, c});
-    if (!x.is_motor) laws.push_back({Form::quadratic, c, 0, {1, x.covariate.middle}});
+    laws.push_back({Form::quadratic, c, 0, {1, x.covariate.middle}});
   }
 
   // The products with each of the covariates before this one.
@@ -89,9 +89,18 @@ class StraightLaws {
     return seen.low > 0 && seen.high > wide * seen.low && !x.is_motor;
   }
 
+  // The motor tension bends what is read of it. What it bends elsewhere is a law of the load there.
+  bool bends_elsewhere(const Lever& lever, const RowLaw& law) const {
+    return law.form == Form::quadratic && law.x != columns_.load() &&
+           columns_.covariate(law.x).is_motor && lever.site.place != SitePlace::motor;
+  }
+
   // An offset in proportion to the motor tension is a gain, which has laws of its own.
   bool is_a_gain(const Lever& lever, const RowLaw& law) const {
-    if (lever.target != Target::offset || law.form == Form::constant) return false;
+    if (lever.target != Target::offset || law.form == Form::constant ||
+        law.form == Form::quadratic) {
+      return false;
+    }
     if (law.form != Form::product) {
       return lever.site.place == SitePlace::motor && columns_.covariate(law.x).is_motor;
     }
@@ -108,7 +117,7 @@ class StraightLaws {
                  laws, [&](const RowLaw& law) { return law.form == form && law.x == c; }) -
              laws.begin();
     };
-    if (is_a_gain(lever, of)) return;
+    if (is_a_gain(lever, of) || bends_elsewhere(lever, of)) return;
     if (of.form == Form::quadratic) {
       note_bend(l, of.x, seen, {column(of.x, false), own});
     } else if (of.form == Form::product) {

@@ -32,6 +32,7 @@ struct Row {
   int run = 0;
   double supply_V = 5;
   double humidity_pct = 50;
+  double motor_N = 10;
 };
 
 // What a strand's sensor reads over what it should.
@@ -46,7 +47,7 @@ std::string readings(
   std::uint64_t drawn = 0;
   for (int run = first_run; run < first_run + 12; ++run) {
     for (const double motor_N : {8.0, 12.0, 18.0, 27.0, 35.0, 50.0}) {
-      const Row row{run, 4.5 + uniform(1, 2, drawn), humidity_pct(run, drawn)};
+      const Row row{run, 4.5 + uniform(1, 2, drawn), humidity_pct(run, drawn), motor_N};
       text += fmt::format("r{},M-1-T-2-F,1,{},{:.2f},{:.4f}", run, motor_N, row.humidity_pct,
                           row.supply_V);
       double tension_N = motor_N * std::exp(-phi_sheath);
@@ -199,6 +200,17 @@ TEST(TermSearch, FindsASensorThatReadsTheOtherWayRound) {
   ASSERT_EQ(result.causes.size(), 1U);
   EXPECT_EQ(result.causes.front().name, "sensor_gain[T3]");
   EXPECT_NEAR(result.causes.front().effect.values.front(), -1, 0.01);
+}
+
+// Above 27 N the motor pulls more than is read of it, and so do all strands.
+TEST(TermSearch, FindsAMotorSensorThatBendsAboveALoad) {
+  const DiagnosisResult result = diagnosed(readings([](const Row& row, int) {
+    return (row.motor_N + 0.4 * std::max(0.0, row.motor_N - 27)) / row.motor_N;
+  }));
+  ASSERT_EQ(result.causes.size(), 1U);
+  EXPECT_EQ(result.causes.front().name, "law[offset of motor, motor_tension_N, hinge]");
+  EXPECT_NEAR(result.causes.front().effect.values[0], 0.4, 0.05);
+  EXPECT_NEAR(result.causes.front().effect.values[1], 27, 1);
 }
 
 // The gain of T3 in the grammar, from a wrong value and a wrong crossing on.
