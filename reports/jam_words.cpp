@@ -19,14 +19,17 @@ namespace {
 constexpr std::size_t named_jams = 4;
 
 // Follows "their shares of its pull".
-const char* assumption(const TendonParts& tendons) {
+std::string assumption(const TendonParts& tendons) {
   const bool springs = std::ranges::any_of(
       tendons.own, [](const TendonHardware& own) { return own.stiffness_N_mm.has_value(); });
   const bool slack = std::ranges::any_of(
       tendons.own, [](const TendonHardware& own) { return own.slack_mm.has_value(); });
-  if (springs && slack) return "follow from the springs and the slack given";
   if (springs) {
-    return "follow from the springs given, and assume no slack; a slack tendon carries less";
+    return std::string(
+               slack ? "follow from the springs and the slack given"
+                     : "follow from the springs given, and assume no slack; a slack tendon carries "
+                       "less") +
+           "; jams, stroke and motor force leave out the stretch of springs";
   }
   if (slack) {
     return "follow from the slack given, and assume equal stiffness; a softer tendon carries less";

@@ -82,6 +82,9 @@ TEST(HandSections, SayWhyAFingerHangsOnSlackStrands) {
   EXPECT_EQ(why_no_force("1x-M+2x-M2", "none@0,1", hardware),
             since("none@0,1", "its carriages stand still"));
   EXPECT_EQ(why_no_force("1x-M+2x-M", "2", hardware), since("2", "the carriage is blocked"));
+  hardware.tendon = {.EA_N = 20000, .own = {{.tendon = 2, .stiffness_N_mm = 5}}};
+  EXPECT_EQ(why_no_force("1x-M+2x-M", "2", hardware),
+            since("2", "the carriage is blocked, if springs in series do not stretch"));
   hardware.tendon = {.travel_mm = 20, .own = {{.tendon = 1, .slack_mm = 20}}};
   EXPECT_EQ(why_no_force("1x-M+2x-M", "none", hardware),
             since("none", "its tendon is still slack after the whole carriage travel"));
