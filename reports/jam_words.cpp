@@ -95,6 +95,11 @@ std::string independence_words(const MotorGroups& groups) {
 
 }  // namespace
 
+const char* const motors_together_note =
+    "all motors count as one machine, also those that have nothing in common: their carriages "
+    "travel as the grasps say, and one that is blocked stops all. Only motor forces are those of "
+    "each group of motors";
+
 std::string held_words(Grasp grasp) {
   const std::vector<int> fingers = held_fingers(grasp);
   if (fingers.empty()) return "no finger is held";
