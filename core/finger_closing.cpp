@@ -96,6 +96,31 @@ class FingerTendon {
     return finished(stretch_, excursion);
   }
 
+  // Beyond the closing torques and forces are linear in the pull.
+  FurtherPull further_pull() {
+    constexpr double near_N = 1;
+    constexpr double far_N = 1e6;
+    const double whole = whole_excursion();
+    const double last_N = closing(whole).tension_N.back();
+    const auto pulled = [&](double further_N) {
+      draw_in(last_N + further_N);
+      return finished(stretch_, whole);
+    };
+    const FingerPosture near = pulled(near_N);
+    const FingerPosture far = pulled(far_N);
+    const auto per_newton = [&](std::vector<double> more, const std::vector<double>& less) {
+      for (std::size_t j = 0; j < more.size(); ++j) {
+        more[j] = (more[j] - less[j]) / (far.pull_N - near.pull_N);
+      }
+      return more;
+    };
+    FurtherPull further{per_newton(far.object_Nmm, near.object_Nmm)};
+    if (near.contact_N.size() == far.contact_N.size()) {
+      further.contact = per_newton(far.contact_N, near.contact_N);
+    }
+    return further;
+  }
+
   JointStop stop_of(std::size_t joint) {
     const double log = first_reached(least_log, greatest_log, [&](double log_tension) {
       draw_in(std::exp(log_tension));
@@ -224,6 +249,7 @@ FingerClosing close_finger(const std::vector<FingerJoint>& joints, int steps) {
     result.opening.push_back(tendon.opening(result.closing.back(), whole * i / steps));
   }
   for (std::size_t j = 0; j < joints.size(); ++j) result.stops.push_back(tendon.stop_of(j));
+  result.further = tendon.further_pull();
   std::stable_sort(
       result.stops.begin(), result.stops.end(),
       [](const JointStop& a, const JointStop& b) { return a.excursion_mm < b.excursion_mm; });

@@ -59,10 +59,17 @@ struct JointStop {
   bool at_object = false;
 };
 
+// What a newton of pull beyond the whole closing adds at the objects, all joints at their stops.
+struct FurtherPull {
+  std::vector<double> object_mm;  // N mm/N
+  std::vector<double> contact{};  // N/N; empty where there are no contact forces
+};
+
 struct FingerClosing {
   std::vector<FingerPosture> closing;  // equal steps of excursion from the open hand
   std::vector<FingerPosture> opening;  // the same steps back
   std::vector<JointStop> stops;        // in their order
+  FurtherPull further;
 };
 
 // Joints with their guides' coefficients (with_guide_coefficients). At least one step.

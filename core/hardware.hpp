@@ -121,8 +121,8 @@ struct SpoolHardware {
 // TendonHardware has the values of one tendon, by its number in the word of a routing.
 struct TendonHardware {
   int tendon = 0;
-  // The stiffness is that of a spring in series, at the tendon's only end at a motor. A grasp that
-  // jams leaves the carriage T/k of travel there, in which nothing else moves.
+  // The stiffness is that of a spring in series, at the tendon's only end at a motor. Where the
+  // tendon jams, the carriage goes on by T/k, which no result counts (mechanics.hpp).
   std::optional<double> stiffness_N_mm{};
   std::optional<double> slack_mm{};  // length that its motor takes in before it pulls
 

@@ -83,7 +83,7 @@ Json others(const RankReport& report, const Labels& labels) {
   const std::string& first = report.designs.front().ranked.design.word;
   Json list = Json::array();
   for (const BestDesigns& best : report.details->best) {
-    if (!is_shown(best.objective, report.order, report.score)) continue;
+    if (!is_answered(best.objective, report.order, report.score)) continue;
     if (std::ranges::find(best.words, first) != best.words.end()) continue;
     std::vector<std::string> names;
     for (const std::string& word : best.words) names.push_back(label_of(report, labels, word));

@@ -62,6 +62,39 @@ DocumentLine stop_line(const ShownClosing& closing) {
   return {fmt::format("Joints stop in this order: {}", fmt::join(parts, ", "))};
 }
 
+// "Once all have stopped, each newton of pull adds 0.5 N at contact 1"
+std::vector<DocumentLine> further_lines(const ShownClosing& closing) {
+  const FurtherPull& further = closing.motion.further;
+  const bool forces = !further.contact.empty();
+  if (!forces && has_forces(closing.motion.closing)) return {};
+  std::vector<std::string> parts;
+  for (std::size_t j = 0; j < closing.joints.size(); ++j) {
+    if (!closing.joints[j].object_deg) continue;
+    parts.push_back(
+        forces ? fmt::format("{} N at contact {}", fixed(further.contact[j], 2), j + 1)
+               : fmt::format("{} N mm at object {}", fixed(further.object_mm[j], 2), j + 1));
+  }
+  if (parts.empty()) return {};
+  const bool loses_one = std::ranges::any_of(further.contact, [](double f) { return f < 0; });
+  return {
+      {fmt::format("Once all have stopped, each newton of pull adds {}{}", fmt::join(parts, ", "),
+                   loses_one ? "; a contact whose force falls to 0 is lost" : "")}};
+}
+
+// Explains the dashes of the table.
+std::vector<DocumentLine> dash_lines(const ShownClosing& closing) {
+  const std::vector<FingerPosture>& postures = closing.motion.closing;
+  const bool lacks_some = std::ranges::any_of(
+      postures, [](const FingerPosture& posture) { return posture.contact_N.empty(); });
+  if (!has_objects(closing) || !has_forces(postures) || !lacks_some) return {};
+  return {{"-: no contact forces, since a joint nearer to the palm than an object would give way"}};
+}
+
+Json further_json(const FurtherPull& further) {
+  return {{"object_mm", further.object_mm},
+          {"contact", further.contact.empty() ? Json(nullptr) : Json(further.contact)}};
+}
+
 Json posture_json(const FingerPosture& posture, const std::vector<FingerJoint>& joints) {
   std::vector<double> torques_Nmm;
   for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -92,11 +125,13 @@ std::string fingers_text(const ShownClosing& closing) {
 std::vector<Section> closing_sections(const std::vector<ShownClosing>& closings) {
   std::vector<Section> sections;
   for (const ShownClosing& closing : closings) {
+    std::vector<DocumentLine> lines{stop_line(closing)};
+    append(lines, further_lines(closing));
+    append(lines, dash_lines(closing));
     sections.push_back({fmt::format("Hand: closing of {} in free motion, joint angles over the "
                                     "excursion of the tendon",
                                     fingers_text(closing)),
-                        closing_table(closing),
-                        {stop_line(closing)}});
+                        closing_table(closing), lines});
   }
   return sections;
 }
@@ -107,7 +142,8 @@ Json closings_json(const std::vector<ShownClosing>& closings) {
     return Json{{"fingers", closing.fingers},
                 {"closing", list_json(closing.motion.closing, posture)},
                 {"opening", list_json(closing.motion.opening, posture)},
-                {"stops", list_json(closing.motion.stops, stop_json)}};
+                {"stops", list_json(closing.motion.stops, stop_json)},
+                {"further_pull", further_json(closing.motion.further)}};
   });
 }
 

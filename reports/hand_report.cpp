@@ -103,10 +103,13 @@ Json alone_json(const ShownHand& hand) {
   return json;
 }
 
-const char* no_pull_words(NoPull no_pull, int motors) {
+std::string no_pull_words(NoPull no_pull, int motors) {
+  const std::string blocked = motors > 1 ? "its carriages are blocked" : "the carriage is blocked";
   switch (no_pull) {
     case NoPull::blocked:
       break;
+    case NoPull::blocked_at_springs:
+      return blocked + ", if springs in series do not stretch";
     case NoPull::ends_locked:
       return "its ends at motors are locked";
     case NoPull::ends_stand_still:
@@ -114,7 +117,7 @@ const char* no_pull_words(NoPull no_pull, int motors) {
     case NoPull::still_slack:
       return "its tendon is still slack after the whole carriage travel";
   }
-  return motors > 1 ? "its carriages are blocked" : "the carriage is blocked";
+  return blocked;
 }
 
 void add_force_lines(const MotorDemand& demand, int motors, std::vector<DocumentLine>& lines) {

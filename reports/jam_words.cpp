@@ -19,14 +19,17 @@ namespace {
 constexpr std::size_t named_jams = 4;
 
 // Follows "their shares of its pull".
-const char* assumption(const TendonParts& tendons) {
+std::string assumption(const TendonParts& tendons) {
   const bool springs = std::ranges::any_of(
       tendons.own, [](const TendonHardware& own) { return own.stiffness_N_mm.has_value(); });
   const bool slack = std::ranges::any_of(
       tendons.own, [](const TendonHardware& own) { return own.slack_mm.has_value(); });
-  if (springs && slack) return "follow from the springs and the slack given";
   if (springs) {
-    return "follow from the springs given, and assume no slack; a slack tendon carries less";
+    return std::string(
+               slack ? "follow from the springs and the slack given"
+                     : "follow from the springs given, and assume no slack; a slack tendon carries "
+                       "less") +
+           "; jams, stroke and motor force leave out the stretch of springs";
   }
   if (slack) {
     return "follow from the slack given, and assume equal stiffness; a softer tendon carries less";
@@ -91,6 +94,11 @@ std::string independence_words(const MotorGroups& groups) {
 }
 
 }  // namespace
+
+const char* const motors_together_note =
+    "all motors count as one machine, also those that have nothing in common: their carriages "
+    "travel as the grasps say, and one that is blocked stops all. Only motor forces are those of "
+    "each group of motors";
 
 std::string held_words(Grasp grasp) {
   const std::vector<int> fingers = held_fingers(grasp);

@@ -41,6 +41,9 @@ int tree_count(const Network& network);
 // "2 tendons hang on one carriage: …"; "" of one tree.
 std::string shared_carriage_text(const Network& network, const TendonParts& tendons);
 
+// Says that several motors are judged as one machine.
+extern const char* const motors_together_note;
+
 // Returns a note with the ranks that are meant, for a list that is shown; no line if there are
 // none.
 std::vector<DocumentLine> shared_carriage_lines(const std::vector<ListedDesign>& shown,

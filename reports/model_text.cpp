@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "causes/term.hpp"
 #include "core/idle_values.hpp"
@@ -78,6 +79,20 @@ std::string list(const Model& model, bool in_designs) {
 
 std::string absent_finger_note(const std::string& what, int finger) {
   return fmt::format("{} changes nothing: no routing here has a finger {}", what, finger);
+}
+
+// Notes on what is common to springs or to slack, if no tendon has any.
+void add_unused(const TendonParts& tendons, std::vector<std::string>& notes) {
+  const auto add = [&](const char* common, const std::optional<double> TendonParts::*value,
+                       const char* own, const std::optional<double> TendonHardware::*own_value) {
+    const bool is_used = std::ranges::any_of(
+        tendons.own, [&](const TendonHardware& tendon) { return (tendon.*own_value).has_value(); });
+    if (is_used || !(tendons.*value)) return;
+    notes.push_back(fmt::format(
+        "{} in [tendon] of the hardware changes nothing: no tendon has a {}", common, own));
+  };
+  add("EA_N", &TendonParts::EA_N, "stiffness_N_mm", &TendonHardware::stiffness_N_mm);
+  add("travel_mm", &TendonParts::travel_mm, "slack_mm", &TendonHardware::slack_mm);
 }
 
 struct Condition {
@@ -187,6 +202,7 @@ std::vector<DocumentLine> model_lines(const Model& model, std::uint64_t unconver
 
 std::vector<std::string> model_notes(const Model& model, int fingers) {
   std::vector<std::string> notes = angle_notes(model.hardware);
+  add_unused(model.hardware.tendon, notes);
   const ContactLaw& sheath = model.hardware.sheath;
   if (sheath.length_mm && sheath.wobble_rad_per_m == 0) {
     notes.push_back(

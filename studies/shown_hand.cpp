@@ -67,7 +67,24 @@ bool passes(const Network& network, const TendonSpan& tendon, int finger) {
                      });
 }
 
-NoPull no_pull(const Network& network, const Mechanics& mechanics, const Grasp& grasp, int finger) {
+// True if each tendon that blocks the carriage has a spring, whose stretch would let it go on.
+bool is_blocked_at_springs(const Network& network, const Mechanics& mechanics,
+                           const TendonParts& tendons, const Grasp& grasp) {
+  Motion motion;
+  Kinematics().solve(network, mechanics, grasp, Direction::pull, motion);
+  const auto has_spring = [&](std::size_t tendon) {
+    return std::ranges::any_of(tendons.own, [&](const TendonHardware& own) {
+      return own.stiffness_N_mm && static_cast<std::size_t>(own.tendon) == tendon + 1;
+    });
+  };
+  for (std::size_t t = 0; t < motion.jams.size(); ++t) {
+    if (motion.jams[t] != 0 && !has_spring(t)) return false;
+  }
+  return true;
+}
+
+NoPull no_pull(const Network& network, const Mechanics& mechanics, const TendonParts& tendons,
+               const Grasp& grasp, int finger) {
   const auto own = std::ranges::find_if(
       network.tendons, [&](const TendonSpan& tendon) { return passes(network, tendon, finger); });
   bool all_locked = true;
@@ -83,7 +100,9 @@ NoPull no_pull(const Network& network, const Mechanics& mechanics, const Grasp& 
   }
   if (all_locked) return NoPull::ends_locked;
   if (all_still) return NoPull::ends_stand_still;
-  return taut_share(network, *own, mechanics, grasp) == 0 ? NoPull::still_slack : NoPull::blocked;
+  if (taut_share(network, *own, mechanics, grasp) == 0) return NoPull::still_slack;
+  return is_blocked_at_springs(network, mechanics, tendons, grasp) ? NoPull::blocked_at_springs
+                                                                   : NoPull::blocked;
 }
 
 void add_motion(const MotorParts& motor, MotorDemand& demand) {
@@ -148,7 +167,8 @@ class HandStudy {
     }
     add_reach(grasps, shown);
     add_greatest_force(hand_, shown.grasps, shown.demand);
-    shown.demand.no_pull = no_pull(network_, plain_, shown.demand.grasp, shown.demand.weakest);
+    shown.demand.no_pull =
+        no_pull(network_, plain_, model_.hardware.tendon, shown.demand.grasp, shown.demand.weakest);
     add_forces(shown);
     add_closing(grasps, shown);
     if (shown.motors > 1) shown.motors_alone = closings_of_each_motor(shown.motors);

@@ -96,7 +96,13 @@ struct ShownHandFinger {
 };
 
 // Why no motor pulls the strands of a finger.
-enum class NoPull : std::uint8_t { blocked, ends_locked, ends_stand_still, still_slack };
+enum class NoPull : std::uint8_t {
+  blocked,
+  blocked_at_springs,
+  ends_locked,
+  ends_stand_still,
+  still_slack
+};
 
 struct MotorDemand {
   double force_N = 0;

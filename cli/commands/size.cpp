@@ -21,10 +21,12 @@
 #include "cli/supervision.hpp"
 #include "core/error.hpp"
 #include "core/graph.hpp"
+#include "core/hand_pulls.hpp"
 #include "core/notation.hpp"
 #include "pages/pages.hpp"
 #include "pages/shell/result_files.hpp"
 #include "reports/exploration/explored_folder.hpp"
+#include "reports/jam_words.hpp"
 #include "reports/model_text.hpp"
 #include "reports/output/files.hpp"
 #include "reports/sizing_report.hpp"
@@ -225,6 +227,8 @@ std::vector<std::string> notes(const SizeFlags& flags, const SizingOptions& opti
   std::vector<Network> networks;
   for (const Routing& routing : routings) networks.push_back(expand(routing));
   append(notes, model_notes(options.nominal, networks));
+  const auto is_several = [](const Network& network) { return motor_groups(network).count > 1; };
+  if (std::ranges::any_of(networks, is_several)) notes.emplace_back(motors_together_note);
   if (!flags.from.is_given()) return notes;
   const std::string differing = differing_settings(summary_of_one_exploration(flags.from.text),
                                                    options.nominal, options.grasps);

@@ -26,7 +26,7 @@ void GeneratorFlags::add_to(CLI::App& command, bool with_tendons) {
   blocks_ =
       command
           .add_option("--blocks", blocks,
-                      "Greatest number of floating blocks, such as 1 in M-Y1+1x-Y1-2x (default: "
+                      "Most floating blocks, as in M-Y1+1x-Y1-2x; may cost anchored tips (default: "
                       "that of --parts)")
           ->check(CLI::Range(0, max_generated_blocks));
   command.add_option("--beside-ends", beside,

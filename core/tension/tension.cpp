@@ -60,7 +60,31 @@ void make_absolute(const Network& network, const Mechanics& mechanics, const Gra
   }
 }
 
+// How the guides of a finger count between the palm ends of its strands.
+enum class GuideUse : std::uint8_t { whole, one_strand_rests, none };
+
+// Where a finger closes or opens by more than slides round its tip, both strands slide the same way
+// past its guides. Each loses as much there, so that between the palm ends the tip alone counts. By
+// just as much: one strand rests at its palm end, and there its guides hold what they can.
+GuideUse guide_use(const Network& network, const TendonSpan& tendon, double slip, double closing) {
+  const double more = std::abs(slip) - closing;
+  const bool rests = closing > 0 && std::abs(more) <= motion_rounding * closing;
+  if (closing == 0 || (more > 0 && !rests)) return GuideUse::whole;
+  if (!rests) return GuideUse::none;
+  return is_tied(network, tendon) ? GuideUse::whole : GuideUse::one_strand_rests;
+}
+
 }  // namespace
+
+double sliding_exponent(const Network& network, const Mechanics& mechanics,
+                        const TendonSpan& tendon, std::size_t contact, const TensionState& state) {
+  const double phi = mechanics.phi[contact];
+  if (mechanics.guided_tips.empty() || mechanics.guided_tips[contact].guides == 0) return phi;
+  const GuidedTip& tip = mechanics.guided_tips[contact];
+  const auto finger = static_cast<std::size_t>(network.contacts[contact].finger) - 1;
+  const GuideUse use = guide_use(network, tendon, state.slip[contact], state.closing[finger]);
+  return use == GuideUse::none ? phi - phi * tip.guides / tip.phi : phi;
+}
 
 void TensionSolver::solve_open(const TendonSpan& tendon, const Mechanics& mechanics,
                                std::size_t first, TensionState& state) {
@@ -161,9 +185,6 @@ void TensionSolver::solve_tendons(const Network& network, const Mechanics& mecha
   }
 }
 
-// Where a finger closes or opens by more than slides round its tip, both strands slide the same way
-// past its guides. Each loses as much there, so that between the palm ends the tip alone counts. By
-// just as much: one strand rests at its palm end, and there its guides hold what they can.
 const Mechanics& TensionSolver::past_guides(const Network& network, const Mechanics& mechanics) {
   resting_guides_.clear();
   if (mechanics.guided_tips.empty()) return mechanics;
@@ -174,11 +195,9 @@ const Mechanics& TensionSolver::past_guides(const Network& network, const Mechan
       const GuidedTip& tip = mechanics.guided_tips[k];
       if (tip.guides == 0) continue;
       const auto finger = static_cast<std::size_t>(network.contacts[k].finger) - 1;
-      const double more = std::abs(motion_.slip[k]) - motion_.closing[finger];
-      const double rounding = motion_rounding * motion_.closing[finger];
-      const bool rests = motion_.closing[finger] > 0 && std::abs(more) <= rounding;
-      if ((more > 0 && !rests) || motion_.closing[finger] == 0) continue;
-      if (rests && is_tied(network, tendon)) continue;
+      const GuideUse use = guide_use(network, tendon, motion_.slip[k], motion_.closing[finger]);
+      if (use == GuideUse::whole) continue;
+      const bool rests = use == GuideUse::one_strand_rests;
       const double guides = mechanics.phi[k] * tip.guides / tip.phi;
       if (rests) resting_guides_[k] = std::exp(-guides / 2);
       past_guides_.phi[k] -= rests ? guides / 2 : guides;

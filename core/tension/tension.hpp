@@ -98,6 +98,11 @@ class TensionSolver {
 // Returns the tension of each motor that the network has.
 std::vector<double> motor_tensions(const Network& network, const TensionState& state);
 
+// The exponent by which the tension falls across a contact that slides in this state: without the
+// guides of a tip's finger where both strands pass them alike (finger_guides.hpp).
+double sliding_exponent(const Network& network, const Mechanics& mechanics,
+                        const TendonSpan& tendon, std::size_t contact, const TensionState& state);
+
 // The state itself, of this grasp. Throws OutOfRange that names the grasp if it has no tensions.
 const TensionState& require_in_range(const TensionState& state, Grasp grasp);
 

@@ -71,13 +71,15 @@ std::vector<std::pair<GroupKey, std::vector<Row>>> groups(const MeasuredData& da
 
 // +1: the tension falls from left to right by all the friction there is; -1: from right to left;
 // 0: some contact holds with less, or they work against each other.
-int fall(const MeasuredStretch& stretch, const Mechanics& mechanics, const TensionState& state) {
+int fall(const Network& network, const MeasuredStretch& stretch, const Mechanics& mechanics,
+         const TensionState& state) {
   constexpr double used_up = 1 - 1e-6;
   int result = 0;
   for (const std::size_t contact : stretch.contacts) {
     const auto [left, right] = ends_of(*stretch.tendon, contact - stretch.tendon->first_contact);
     const double drop = std::log(state.tension[left] / state.tension[right]);
-    if (!(std::abs(drop) >= used_up * mechanics.phi[contact]) || drop == 0) return 0;
+    const double most = sliding_exponent(network, mechanics, *stretch.tendon, contact, state);
+    if (!(std::abs(drop) >= used_up * most) || drop == 0) return 0;
     const int direction = drop > 0 ? 1 : -1;
     if (result != 0 && direction != result) return 0;
     result = direction;
@@ -104,7 +106,7 @@ class LossTable {
       for (const auto& [segment, cell] : row) measured[segment] = true;
     }
     for (const MeasuredStretch& stretch : stretches(network, measured)) {
-      const int way = fall(stretch, mechanics, state);
+      const int way = fall(network, stretch, mechanics, state);
       if (way == 0) continue;
       const std::size_t high = way > 0 ? stretch.left : stretch.right;
       const std::size_t low = way > 0 ? stretch.right : stretch.left;

@@ -246,7 +246,7 @@ std::vector<SingleBest> single_bests(const ExploreReport& report) {
   const ExploreOptions& options = report.options;
   std::vector<SingleBest> bests;
   for (const BestDesigns& best : report.result.best) {
-    if (!is_shown(best.objective, options.order, options.score, options.constraints)) continue;
+    if (!is_answered(best.objective, options.order, options.score, options.constraints)) continue;
     for (const ListedDesign& design : listed_designs(report)) {
       if (design.ranked.design.word != best.words.front()) continue;
       bests.push_back({row(best.objective), design, best.count - 1});

@@ -16,6 +16,7 @@
 #include "reports/exploration/sweep_report.hpp"
 #include "reports/exploration/target_report.hpp"
 #include "reports/exploration/tradeoff_report.hpp"
+#include "reports/jam_words.hpp"
 #include "reports/model_text.hpp"
 #include "reports/motor_words.hpp"
 #include "reports/output/stamp.hpp"
@@ -232,6 +233,7 @@ std::vector<std::string> notes(const ExploreReport& report) {
   const bool equivalent = treats_fingers_alike(options.grasps, options.generator.fingers) &&
                           treats_fingers_alike(options.model, options.generator.fingers);
   std::vector<std::string> notes = model_notes(options.model, options.generator.fingers);
+  if (options.generator.parts.motors > 1) notes.emplace_back(motors_together_note);
   if (options.left_out) notes.insert(notes.begin(), left_out_text(*options.left_out));
   if (const std::uint64_t count = report.result.without_tensions.count; count > 0) {
     notes.push_back(fmt::format("{} left out for want of tensions in a grasp, such as {}",

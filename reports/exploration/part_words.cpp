@@ -52,11 +52,16 @@ std::string left_out_text(const LeftOutParts& left_out) {
   std::string parts = left_out.anchored ? "anchored tips" : blocks;
   if (left_out.anchored && !blocks.empty()) parts += " and " + blocks;
   const bool is_one = !left_out.anchored && left_out.to_blocks == 1;
+  // Blocks that were asked for may be too many for anchored tips, which fewer blocks have.
+  const bool gives_way = left_out.anchored && blocks.empty() && left_out.from_blocks > 1;
+  const std::string favoured =
+      gives_way ? fmt::format(" in favour of --blocks {}", left_out.from_blocks - 1) : "";
   const std::string next =
       left_out.anchored ? "--anchored" : fmt::format("--blocks {}", left_out.from_blocks);
   return fmt::format(
-      "{} {} left out: with {} there are at least {} routings, and the default adds parts up to {}",
-      parts, is_one ? "is" : "are", next, left_out.routings, left_out.limit);
+      "{} {} left out{}: with {} there are at least {} routings, and the default adds parts up to "
+      "{}",
+      parts, is_one ? "is" : "are", favoured, next, left_out.routings, left_out.limit);
 }
 
 Json parts_json(const PartSet& parts) {

@@ -28,6 +28,11 @@ bool is_shown(Objective objective, const Order& order, const Score& score,
                      [&](const ScoreTerm& term) { return term.objective == objective; });
 }
 
+bool is_answered(Objective objective, const Order& order, const Score& score,
+                 const std::vector<Constraint>& constraints) {
+  return objective == Objective::motor_force || is_shown(objective, order, score, constraints);
+}
+
 std::vector<Objective> shown_objectives(const Order& order, const Score& score,
                                         const std::vector<Constraint>& constraints) {
   std::vector<Objective> shown;

@@ -13,6 +13,11 @@ namespace reeve::search {
 std::vector<Objective> shown_objectives(const Order& order, const Score& score,
                                         const std::vector<Constraint>& constraints = {});
 
+// The objectives of which an answer names the best design: those shown, and the motor force, which
+// it gives of every hand.
+bool is_answered(Objective objective, const Order& order, const Score& score,
+                 const std::vector<Constraint>& constraints = {});
+
 bool is_shown(Objective objective, const Order& order, const Score& score,
               const std::vector<Constraint>& constraints = {});
 

@@ -113,6 +113,19 @@ TEST(SheathLength, IsSaidToHaveNoEffect) {
   }
 }
 
+TEST(SpringsAndSlack, AreSaidToBeLackingWhereTheirCommonKeysStandAlone) {
+  const testing::TemporaryFolder folder;
+  folder.write("h.toml", "[tendon]\nEA_N = 2e4\ntravel_mm = 30\n[tendon.1]\n");
+  const testing::ProcessResult result =
+      testing::reeve("show TR1 --hardware h.toml", {.directory = folder.path()});
+  for (
+      const char* note :
+      {"Note: EA_N in [tendon] of the hardware changes nothing: no tendon has a stiffness_N_mm\n",
+       "Note: travel_mm in [tendon] of the hardware changes nothing: no tendon has a slack_mm\n"}) {
+    EXPECT_TRUE(has(result.out, note)) << result.out;
+  }
+}
+
 TEST(BadFriction, IsNamedWithItsOption) {
   const std::string angle = "expected an angle such as 180deg or 3.14rad";
   testing::expect_all_bad({

@@ -11,6 +11,7 @@
 
 #include "causes/library.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
+#include "tests/support/example_hand.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -59,6 +60,19 @@ TEST(Losses, LeaveOutContactsWhoseFrictionIsNotUsedUp) {
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(segment_name(found[0].high) + segment_name(found[0].low), "T2T1");
   EXPECT_EQ(segment_name(found[1].high) + segment_name(found[1].low), "T3T4");
+}
+
+// Finger 1 of TR4 closes by more than slides round its tip: its guides lose as much on both
+// strands.
+TEST(Losses, OfATipLeaveOutGuidesThatBothStrandsPassAlike) {
+  FingerParts parts = three_joint_finger();
+  for (FingerJoint& joint : parts.joints) joint.guide = JointGuide::tube;
+  const MeasuredData data =
+      read_data("run,routing,held,T1_N,T2_N,T3_N,T4_N\n1,M-1-P-2-F,none,40,30,20,10\n");
+  const auto found = losses(data, Model{hand_of({parts, parts})}, compared(data));
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(segment_name(found[0].high) + segment_name(found[0].low), "T1T2");
+  EXPECT_NEAR(found[0].measured, std::log(4.0 / 3), 1e-12);
 }
 
 TEST(Losses, SkipWhatIsNotMeasuredBetween) {

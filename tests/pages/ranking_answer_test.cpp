@@ -40,6 +40,15 @@ TEST(RankingAnswer, NamesOthersOnlyByObjectivesThatDoNotPutTheFirstFirst) {
   for (const Json& other : others) EXPECT_EQ(other["routings"], "TR1") << other;
 }
 
+TEST(RankingAnswer, NamesWhoNeedsLeastMotorForceOfAHand) {
+  RankReport report = tr7_and_tr1();
+  report.details->best = {{Objective::motor_force, 80, {"M-1-T-2-F"}, 1},
+                          {Objective::motor_power, 7, {"M-1-T-2-F"}, 1}};
+  const Json others = ranking_answer(report, both)["others"];
+  ASSERT_EQ(others.size(), 1U);
+  EXPECT_EQ(others[0]["objective"], "motor force");
+}
+
 // The first stands in the sentence before.
 TEST(RankingAnswer, SaysWhatTheTradeoffDecidesAfterTheFirst) {
   const Json decision = ranking_answer(tr7_and_tr1(), both)["decision"];

@@ -25,6 +25,15 @@ TEST(ExploreDocument, SaysWhatOrdersWithinAFrontWhereItIsTheScore) {
       "score, the weighted mean of uniformity_mean=2 (greater is better)\n"));
 }
 
+TEST(ExploreDocument, SaysThatSeveralMotorsCountAsOneMachine) {
+  ExploreReport report;
+  report.options.grasps = single_grasps(2);
+  const char* const note = "Note: all motors count as one machine, ";
+  EXPECT_FALSE(testing::has(text(explore_document(report)), note));
+  report.options.generator.parts.motors = 2;
+  EXPECT_TRUE(testing::has(text(explore_document(report)), note));
+}
+
 TEST(ExploreDocument, PutsEachGeneratedRoutingInOneClass) {
   ExploreReport report;
   report.options.grasps = single_grasps(2);

@@ -1,10 +1,15 @@
 // What is said of a hand where there is nothing to say a number of.
 #include "reports/hand_report.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "core/finger_guides.hpp"
 #include "core/motor_sides.hpp"
 #include "core/notation.hpp"
 #include "reports/document/document.hpp"
@@ -82,6 +87,9 @@ TEST(HandSections, SayWhyAFingerHangsOnSlackStrands) {
   EXPECT_EQ(why_no_force("1x-M+2x-M2", "none@0,1", hardware),
             since("none@0,1", "its carriages stand still"));
   EXPECT_EQ(why_no_force("1x-M+2x-M", "2", hardware), since("2", "the carriage is blocked"));
+  hardware.tendon = {.EA_N = 20000, .own = {{.tendon = 2, .stiffness_N_mm = 5}}};
+  EXPECT_EQ(why_no_force("1x-M+2x-M", "2", hardware),
+            since("2", "the carriage is blocked, if springs in series do not stretch"));
   hardware.tendon = {.travel_mm = 20, .own = {{.tendon = 1, .slack_mm = 20}}};
   EXPECT_EQ(why_no_force("1x-M+2x-M", "none", hardware),
             since("none", "its tendon is still slack after the whole carriage travel"));
@@ -158,6 +166,52 @@ TEST(HandSections, ShowTheClosingOfFingersThatAreAlikeOnce) {
   EXPECT_TRUE(testing::has(text(document), "Joints stop in this order: joint 1 at "));
   EXPECT_TRUE(testing::has(text(document), "mm (object)"));
   EXPECT_TRUE(testing::has(text(document), "object 1 (N mm)"));
+}
+
+// The closing of a finger with phalanges; its joints without an object stop at 80 deg.
+ShownHand touching_hand(const std::vector<std::optional<double>>& objects_deg) {
+  FingerParts parts{{}, 5};
+  for (const std::optional<double>& object_deg : objects_deg) {
+    FingerJoint joint{parts.joints.empty() ? 30. : 6., 80, 60, 20};
+    joint.object_deg = object_deg;
+    joint.phalanx_mm = parts.joints.empty() ? 40 : 30;
+    parts.joints.push_back(joint);
+  }
+  return *studies::shown_hand(expand(parse_routing("M-1-F")), "M-1-F", Model{hand_of({parts})},
+                              single_grasps(1));
+}
+
+std::string closing_of(const ShownHand& hand) {
+  Document document;
+  document.add(reports::hand_sections(hand).back());
+  return text(document);
+}
+
+// A newton turns joint 2 with 6 N mm, which 0.4 N hold 15 mm from it, and joint 1 with 30 N mm.
+TEST(HandSections, GiveContactForcesOfFurtherPull) {
+  const double first = (30 - 0.4 * (15 + 40 * std::cos(in_rad(30)))) / 20;
+  EXPECT_TRUE(testing::has(
+      closing_of(touching_hand({20, 30})),
+      fmt::format(
+          "Once all have stopped, each newton of pull adds {:.2f} N at contact 1, 0.40 N at "
+          "contact 2\n",
+          first)));
+  EXPECT_TRUE(testing::has(closing_of(guided_hand()), "of pull adds 8.28 N mm at object 1\n"))
+      << closing_of(guided_hand());
+}
+
+// Joint 2 presses its phalanx so hard that phalanx 1 is pushed off its object.
+TEST(HandSections, SayThatFurtherPullLosesAContact) {
+  EXPECT_TRUE(testing::has(closing_of(touching_hand({20, 30, 30})),
+                           "N at contact 3; a contact whose force falls to 0 is lost\n"))
+      << closing_of(touching_hand({20, 30, 30}));
+}
+
+TEST(HandSections, SayWhyThereAreNoContactForces) {
+  const char* const why =
+      "-: no contact forces, since a joint nearer to the palm than an object would give way";
+  EXPECT_TRUE(testing::has(closing_of(touching_hand({std::nullopt, 5})), why));
+  EXPECT_FALSE(testing::has(closing_of(touching_hand({20, 30})), why));
 }
 
 TEST(HandJson, HasThePosturesOfClosingAndOpening) {

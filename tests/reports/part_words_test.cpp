@@ -54,7 +54,7 @@ TEST(LeftOutText, NamesThePartsAndTheOptionThatAsksForThem) {
   EXPECT_TRUE(has(left_out_text({true, 1, 6, 5198166, 2000000}),
                   "anchored tips and 1 to 6 floating blocks are left out: with --anchored "));
   EXPECT_TRUE(has(left_out_text({true, 2, 1, 5198166, 2000000}),
-                  "anchored tips are left out: with --anchored "));
+                  "anchored tips are left out in favour of --blocks 1: with --anchored "));
 }
 
 }  // namespace
