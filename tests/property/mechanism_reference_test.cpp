@@ -1,13 +1,16 @@
-// Trees and tackles against the independent solver: a thousand at random in every run.
-// REEVE_MECHANISMS=N tries N of them.
+// Trees and tackles against the independent solver: three thousand at random in every run.
+// REEVE_MECHANISMS=N tries N of them. Some against pulling in small steps, too.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <map>
 #include <random>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "core/notation.hpp"
 #include "core/tension/tension.hpp"
@@ -15,6 +18,7 @@
 #include "tests/support/random_mechanism.hpp"
 #include "tests/support/random_routing.hpp"
 #include "tests/support/reference_comparison.hpp"
+#include "tests/support/reference_loading.hpp"
 #include "tests/support/reference_words.hpp"
 
 namespace reeve {
@@ -25,7 +29,7 @@ using testing::ReferenceHardware;
 
 std::uint64_t trials() {
   const char* wanted = std::getenv("REEVE_MECHANISMS");
-  return wanted == nullptr ? 1000 : std::strtoull(wanted, nullptr, 10);
+  return wanted == nullptr ? 3000 : std::strtoull(wanted, nullptr, 10);
 }
 
 struct SeenMechanisms {
@@ -143,6 +147,50 @@ TEST(ReferenceProperty, OfMoreThanPlainBlocksAreThoseOfAnIndependentSolver) {
     }
   }
   EXPECT_GT(solved, 500);
+}
+
+double greatest_difference(const Network& network, const TensionState& limit,
+                           const std::map<std::string, double>& loaded) {
+  double greatest = 0;
+  for (std::size_t i = 0; i < network.segments.size(); ++i) {
+    const double tension = limit.tension[i];
+    const double off = loaded.at(segment_name(network.segments[i])) - tension;
+    greatest = std::max(greatest, std::abs(off) / std::max(1.0, tension));
+  }
+  return greatest;
+}
+
+// Four times the steps leave a quarter of what the start of the loading has left.
+TEST(ReferenceProperty, TreesAndTacklesAreTheLimitOfPullingInSmallSteps) {
+  int compared = 0;
+  int approached = 0;
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+    Dice dice(seed);
+    const std::string word = testing::random_mechanism(dice);
+    const ReferenceHardware hardware = testing::random_reference_hardware(dice, word);
+    const Network network = expand(parse_routing(word));
+    const Grasp grasp = testing::random_grasp(dice, network.fingers);
+    SCOPED_TRACE(std::to_string(seed) + ": " + word + ", held " + to_text(grasp));
+    TensionState state;
+    TensionSolver().solve(network, testing::mechanics_of(network, hardware), grasp, Direction::pull,
+                          state);
+    if (!state.in_range || state.jams) continue;
+    const std::vector<int> held = held_fingers(grasp);
+    const auto off_after = [&](int steps) {
+      return greatest_difference(
+          network, state,
+          testing::loaded_tensions(word, {held.begin(), held.end()}, hardware, steps));
+    };
+    try {
+      const double coarse = off_after(20);
+      EXPECT_LE(off_after(80), 0.35 * coarse + 1e-9);
+      ++compared;
+      approached += coarse > 1e-6;
+    } catch (const std::logic_error&) {
+    }
+  }
+  EXPECT_GT(compared, 80);
+  EXPECT_GT(approached, 10);
 }
 
 }  // namespace

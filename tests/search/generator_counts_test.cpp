@@ -34,13 +34,12 @@ Counts generated_counts(const GeneratorOptions& o) {
 }
 
 Counts formula_counts(const GeneratorOptions& o) {
-  const auto c = o.identity == identical ? count_identical(counted(o.parts), o.fingers)
-                                         : count_distinct(counted(o.parts), o.fingers);
+  const auto c = count_trees({counted(o.parts)}, o.fingers, 0, o.identity == identical);
   return {c.all, c.actuated, c.one_tendon};
 }
 
 Counts brute_force_counts(const GeneratorOptions& o) {
-  const auto c = brute_force_counts(counted(o.parts), o.fingers, o.identity == identical);
+  const auto c = brute_force_trees({counted(o.parts)}, o.fingers, 0, o.identity == identical);
   return {c.all, c.actuated, c.one_tendon};
 }
 

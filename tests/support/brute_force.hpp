@@ -13,10 +13,4 @@ namespace reeve::testing {
 RoutingCounts brute_force_trees(const CountedTreeParts& parts, int fingers, int blocks,
                                 bool identical_fingers);
 
-// Tendons without blocks and anchored tips.
-inline RoutingCounts brute_force_counts(const CountedParts& parts, int fingers,
-                                        bool identical_fingers) {
-  return brute_force_trees({parts}, fingers, 0, identical_fingers);
-}
-
 }  // namespace reeve::testing

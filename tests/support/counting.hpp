@@ -43,12 +43,4 @@ struct RoutingCounts {
 RoutingCounts count_trees(const CountedTreeParts& parts, int fingers, int blocks,
                           bool identical_fingers);
 
-// Tendons without blocks and anchored tips.
-inline RoutingCounts count_identical(const CountedParts& parts, int fingers) {
-  return count_trees({parts}, fingers, 0, true);
-}
-inline RoutingCounts count_distinct(const CountedParts& parts, int fingers) {
-  return count_trees({parts}, fingers, 0, false);
-}
-
 }  // namespace reeve::testing

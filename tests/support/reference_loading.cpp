@@ -32,7 +32,8 @@ class Loading {
   }
 
   Vector pull(int steps) {
-    const Vector step = imposed() / static_cast<Real>(steps);
+    const Vector closed = (1 - take_up) * tree_.give;
+    const Vector step = (tree_.motor - closed) / static_cast<Real>(steps);
     const Real start = tree_.elastic.sum() * take_up / static_cast<Real>(steps);
     Vector elongation = tree_.length * (start / tree_.length.sum());
     Vector moved = Vector::Zero(unknowns());
@@ -49,15 +50,6 @@ class Loading {
  private:
   Index contacts() const { return static_cast<Index>(tree_.contacts.size()); }
   Index unknowns() const { return contacts() + tree_.hangs.cols(); }
-
-  Vector imposed() const {
-    Vector e = tree_.motor;
-    for (Index i = 0; i < e.size(); ++i) {
-      const auto finger = tree_.closing.find(tree_.finger[static_cast<std::size_t>(i)]);
-      if (finger != tree_.closing.end()) e(i) -= (1 - take_up) * finger->second;
-    }
-    return e;
-  }
 
   // Rows of the forces that vanish at each contact as it is: a known ratio, or the edge of the cone
   // where it slips; 0 where it sticks.

@@ -23,19 +23,18 @@
 // tendon without closing finger jams, and then the jammed tendons carry the whole motor tension.
 //
 // For eps below a threshold the minimiser no longer depends on eps (exact regularisation of the
-// linear program that e0 poses), so that nothing is extrapolated. An interior-point method at one
-// eps finds which contacts are at a bound; from these the limit is solved in closed form and its
-// optimality conditions are verified. An unverified answer is never returned.
-//
-// Blocks (reference_tree.hpp) join tendons into trees. With z_b the movement of block b,
+// linear program that e0 poses), so that nothing is extrapolated. Tendons that share fingers close
+// them as reference_shared.hpp says. Blocks (reference_tree.hpp) join tendons into trees; a tendon
+// without blocks is a tree alone. With z_b the movement of block b,
 //
 //     sum of c_i (e0_i + C_i z) = 0 along each tendon     gives dl, one for the closing fingers of
-//     a
-//                                                         tree, and z; D = 1
+//                                                         a tree, and z; D = 1
 //     sum_i C_ib T_i = 0 for each block                   gives the z at order eps
 //
-// The balances are no part of the potential, so cones, lengths and balances are solved together
-// (reference_tree_interior.hpp), and again the limit in closed form and its conditions decide.
+// The balances are no part of the potential, so cones, lengths and balances are solved together: an
+// interior-point method (reference_tree_interior.hpp) finds which contacts are at a bound; from
+// these the limit is solved in closed form (reference_tree_limit.hpp) and its conditions are
+// verified. An unverified answer is never returned.
 #pragma once
 
 #include <functional>
@@ -108,8 +107,8 @@ struct ReferenceResult {
 /// or 1e at an end, and blocks Y1, Y1k, W1, W1/2:1. Throws std::invalid_argument on any other
 /// token, on a tendon (a tree) without motor-side segment, and with blocks: on one without tail or
 /// without pass and becket or that hangs on itself, on a bar with more than one pass or with
-/// unequal arms in a loop, where the motion of the blocks is not determined and where it would open
-/// a finger. std::logic_error if the conditions could not be met.
+/// unequal arms in a loop, where the motion of the blocks is not determined, where it would open a
+/// finger and where tendons share fingers. std::logic_error if the conditions could not be met.
 ReferenceResult reference_tensions(const std::string& word, const std::set<int>& held,
                                    ReferenceDirection direction, const ReferenceHardware& hardware);
 

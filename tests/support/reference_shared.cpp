@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 
 namespace reeve::testing::reference {
 
 namespace {
-
-using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
 constexpr Real tolerance = 1e-12L;
 
@@ -69,6 +68,9 @@ bool share_fingers(const std::vector<Tendon>& tendons) {
 
 SharedMotion shared_motion(const std::vector<Tendon>& tendons, const std::set<int>& held,
                            const ReferenceHardware& hardware) {
+  for (const Tendon& tendon : tendons)
+    if (!tendon.passes.empty() || !tendon.ends.empty())
+      throw std::invalid_argument("the reference model: blocks join tendons that share fingers");
   const Shared all = shared(tendons, held, hardware);
   SharedMotion found;
   for (std::size_t set = 0; set < std::size_t{1} << tendons.size(); ++set) {

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "tests/support/reference_problem.hpp"
+#include "tests/support/reference_numbers.hpp"
 
 namespace reeve::testing::reference {
 
@@ -21,7 +21,7 @@ bool share_fingers(const std::vector<Tendon>& tendons);
 // With q_t >= 0 the amount by which tendon t closes its fingers (opens those of which it has the
 // extensor alone), dl_f = w_f sum_t (+-q_t). Of all sets of tendons that some carriage pulls, one
 // is taut: q_t > 0 only there, its tendons lose what their motor sides take in, and no other tendon
-// is asked for more than it has.
+// is asked for more than it has. Throws std::invalid_argument for tendons with blocks.
 SharedMotion shared_motion(const std::vector<Tendon>& tendons, const std::set<int>& held,
                            const ReferenceHardware& hardware);
 

@@ -80,7 +80,8 @@ class TreeBuilder {
       segments += static_cast<Index>(tendons_[t].segments.size());
       names.merge(blocks_of(tendons_[t]));
     }
-    tree_.length = tree_.motor = tree_.elastic = Vector::Zero(segments);
+    tree_.length = tree_.strand = tree_.motor = Vector::Zero(segments);
+    tree_.give = tree_.elastic = tree_.motor;
     tree_.c = Vector::Ones(segments);
     tree_.hangs = Matrix::Zero(segments, static_cast<Index>(names.size()));
     blocks_.assign(names.begin(), names.end());
@@ -106,6 +107,7 @@ class TreeBuilder {
     for (Index i = 0; i < span.segments; ++i) {
       const Segment& segment = tendon.segments[static_cast<std::size_t>(i)];
       tree_.finger.push_back(segment.finger);
+      tree_.strand(span.segment + i) = segment.finger == 0 ? 0 : segment.extensor ? -1 : 1;
       tree_.motor_side.push_back(segment.place == Place::motor_side);
       tree_.motor(span.segment + i) = travel(segment, hardware_);
     }
@@ -176,17 +178,14 @@ void impose_jam(ReferenceDirection direction, Tree& tree) {
 }
 
 void impose_motion(const Motion& found, ReferenceDirection direction, Tree& tree) {
-  const bool pull = direction == ReferenceDirection::pull;
+  const Real sign = direction == ReferenceDirection::pull ? 1 : -1;
   tree.closing = found.closing;
-  Vector e0 = tree.motor + tree.hangs * found.z;
-  for (Index i = 0; i < e0.size(); ++i) {
+  for (Index i = 0; i < tree.give.size(); ++i) {
     const auto finger = tree.closing.find(tree.finger[static_cast<std::size_t>(i)]);
-    const Real give = finger == tree.closing.end() ? 0 : finger->second;
-    e0(i) -= give;
-    const Real way = pull ? tree.motor(i) - give : give - tree.motor(i);
-    tree.elastic(i) = way < 0 ? -way : 0;
+    if (finger != tree.closing.end()) tree.give(i) = tree.strand(i) * finger->second;
   }
-  set_slips(pull ? e0 : -e0, tree);
+  tree.elastic = (sign * (tree.give - tree.motor)).cwiseMax(0);
+  set_slips(sign * (tree.motor + tree.hangs * found.z - tree.give), tree);
 }
 
 std::map<int, Real> closing_weights(const Tree& tree, const std::set<int>& held,
@@ -221,6 +220,19 @@ std::vector<Tree> pose_trees(const std::vector<Tendon>& tendons, const std::set<
       impose_jam(direction, tree);
     if (loose > 0) tree.elastic *= 1 - loose / tree.motor.sum();
     trees.push_back(std::move(tree));
+  }
+  return trees;
+}
+
+std::vector<Tree> pose_shared(const std::vector<Tendon>& tendons, const SharedMotion& shared,
+                              ReferenceDirection direction, const ReferenceHardware& hardware) {
+  std::vector<Tree> trees;
+  for (std::size_t t = 0; t < tendons.size(); ++t) {
+    trees.push_back(TreeBuilder(tendons, hardware).build({t}));
+    if (shared.slack[t])
+      trees.back().closing = shared.closing;
+    else
+      impose_motion({true, shared.closing, Vector()}, direction, trees.back());
   }
   return trees;
 }

@@ -1,4 +1,4 @@
-// Tendons that floating blocks join, in numbers.
+// Trees of tendons that floating blocks join, in numbers. A tendon without blocks is a tree alone.
 //
 // A block b that moves by z_b toward its tails lengthens what both strands of each pass and each
 // becket need by z_b and shortens what its tails need: e_i = ... + C_ib z_b with C_ib = 1, 1, -1.
@@ -14,12 +14,11 @@
 #include <set>
 #include <vector>
 
-#include "tests/support/reference_problem.hpp"
+#include "tests/support/reference_numbers.hpp"
+#include "tests/support/reference_shared.hpp"
 #include "tests/support/reference_walk.hpp"
 
 namespace reeve::testing::reference {
-
-using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
 struct TreeContact {
   Index left, right;  // segments
@@ -40,9 +39,11 @@ struct Tree {
   std::vector<Span> spans;
   std::vector<TreeContact> contacts;
   std::vector<int> finger;  // of each segment; 0 if it is no strand
+  Vector strand;            // 1 at a strand, -1 at an extensor's, 0 elsewhere
   Vector length, c;
   Vector motor;                  // travel of the carriage of motor-side segments
   std::vector<bool> motor_side;  // whether each segment is one
+  Vector give;                   // dl of the finger of each strand, reversed at an extensor's
   Vector elastic;                // E
   Matrix hangs;                  // C: a row for each segment, a column for each block
   std::map<int, Real> closing;   // dl of the fingers that close; empty if the tree jams
@@ -55,5 +56,10 @@ struct Tree {
 // loop.
 std::vector<Tree> pose_trees(const std::vector<Tendon>& tendons, const std::set<int>& held,
                              ReferenceDirection direction, const ReferenceHardware& hardware);
+
+// One for each tendon, with the motion of the fingers that they share; nothing is imposed on a
+// slack one.
+std::vector<Tree> pose_shared(const std::vector<Tendon>& tendons, const SharedMotion& shared,
+                              ReferenceDirection direction, const ReferenceHardware& hardware);
 
 }  // namespace reeve::testing::reference

@@ -54,23 +54,23 @@ class TreeInterior {
     for (Index k = 0; k < m; ++k) phi_(k) = open_[static_cast<std::size_t>(k)].phi;
   }
 
-  Interior solve() {
-    if (open_.empty()) return {true, {}};
-    if (!begin()) return {};
+  std::optional<std::vector<Verdict>> solve() {
+    if (!open_.empty() && !begin()) return std::nullopt;
     int settled = 0;
-    for (int step = 0; step < limit; ++step) {
-      const Vector carried = groups_.stretch.array() * u_.array().exp();
+    for (int step = 0; step < limit && !open_.empty() && settled < 2; ++step) {
+      const Vector carried = stretched();
       const Vector beside = smaller_side(carried);
       const Real gap = mean_gap(beside);
       const bool done = gap <= goal;
-      const Real length = advance(carried, beside * (done ? gap : centring_ * gap));
-      if (!(length > 0) || !(u_.minCoeff() > lost)) return {};
+      const Vector even = (gap * beside).cwiseMin(mean_gap(Vector::Ones(beside.size())));
+      const Real length = advance(carried, done ? even : centring_ * even);
+      if (!(u_.minCoeff() > lost)) return std::nullopt;
+      if (!(length > 0)) break;
       damping_ = length < 0.05L ? std::max(10 * damping_, 0.01L) : damping_ / 10;
       centring_ = length > 0.5L ? 0.1L : length > 0.1L ? 0.5L : 1;
       settled = done && length == 1 && change_ < 1e-6L ? settled + 1 : 0;
-      if (settled > 1) return {true, verdicts()};
     }
-    return {};
+    return verdicts();
   }
 
  private:
@@ -101,11 +101,9 @@ class TreeInterior {
     u_ = Vector::Zero(groups_.stretch.size());
     for (Index i = 0; i < level.size(); ++i)
       u_(groups_.of[static_cast<std::size_t>(i)]) = level(i) - groups_.rho(i);
-    scale_ = groups_.elastic.sum();
-    if (!(scale_ > 0)) return false;
-    const Real stretch = (groups_.stretch.array() * u_.array().exp()).sum();
-    u_.array() += std::log(scale_ / stretch);
-    right_ = left_ = scale_ * phi_.cwiseInverse();
+    if (!(groups_.elastic.sum() > 0)) return false;
+    u_.array() += std::log(groups_.elastic.sum() / stretched().sum());
+    right_ = left_ = smaller_side(stretched()).cwiseQuotient(phi_);
     q_ = phi_ + differences(u_);
     p_ = phi_ - differences(u_);
     for (Index k = 0; k < phi_.size(); ++k) {
@@ -123,6 +121,8 @@ class TreeInterior {
     }
     return d;
   }
+
+  Vector stretched() const { return groups_.stretch.array() * u_.array().exp(); }
 
   // Of the stretch on either side of each contact, by which its slip is small or not.
   Vector smaller_side(const Vector& carried) const {
@@ -222,8 +222,7 @@ class TreeInterior {
   }
 
   std::vector<Verdict> verdicts() const {
-    const Vector carried = groups_.stretch.array() * u_.array().exp();
-    const Vector beside = smaller_side(carried);
+    const Vector beside = smaller_side(stretched());
     std::vector<Verdict> found;
     for (Index k = 0; k < phi_.size(); ++k) {
       const Real to_right = std::log(right_(k) / beside(k)) - std::log(q_(k) / phi_(k));
@@ -240,7 +239,7 @@ class TreeInterior {
   std::vector<Real> known_;
   std::vector<bool> is_open_;
   std::vector<Open> open_;
-  Real scale_ = 0, centring_ = 0.1L, change_ = 0;
+  Real centring_ = 0.1L, change_ = 0;
   Real damping_ = 0;  // of the blocks, where a step led out of bounds
   Vector u_, z_, phi_;
   Vector q_, p_;         // rooms; kept, as differences of u would lose the small ones
@@ -249,6 +248,8 @@ class TreeInterior {
 
 }  // namespace
 
-Interior open_contacts(const Tree& tree) { return TreeInterior(tree).solve(); }
+std::optional<std::vector<Verdict>> open_contacts(const Tree& tree) {
+  return TreeInterior(tree).solve();
+}
 
 }  // namespace reeve::testing::reference

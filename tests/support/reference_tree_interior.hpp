@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "tests/support/reference_tree.hpp"
@@ -21,11 +22,8 @@ struct Verdict {
 //   stretch_g T_g = elastic_g + imposed_g z + (s+ - s-) in - out,   q s+ = p s- = tau -> 0,
 //   ln (sum of strands and beckets) = ln (sum of tails) at each block.
 //
-// Empty if it does not converge (as where a tendon is slack).
-struct Interior {
-  bool converged = false;
-  std::vector<Verdict> verdicts;
-};
-Interior open_contacts(const Tree& tree);
+// Where it does not converge, verdicts of the last step: the conditions of the limit decide.
+// Nothing where a tendon goes slack.
+std::optional<std::vector<Verdict>> open_contacts(const Tree& tree);
 
 }  // namespace reeve::testing::reference

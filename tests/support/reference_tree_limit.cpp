@@ -53,14 +53,14 @@ void repair(const std::vector<Fault>& faults, bool all, std::vector<Verdict>& ve
 }
 
 std::optional<TreeState> taut(const Tree& tree) {
-  auto [converged, verdicts] = open_contacts(tree);
-  if (!converged) return std::nullopt;
+  std::optional<std::vector<Verdict>> verdicts = open_contacts(tree);
+  if (!verdicts) return std::nullopt;
   for (int attempt = 0; attempt < 60; ++attempt) {
-    const TreeState state = state_of(tree, verdicts);
+    const TreeState state = state_of(tree, *verdicts);
     const TreeFaults faults = check(tree, state);
     if (faults.none()) return state;
     if (faults.contacts.empty()) return std::nullopt;
-    repair(faults.contacts, attempt < 5, verdicts);
+    repair(faults.contacts, attempt < 5, *verdicts);
   }
   return std::nullopt;
 }

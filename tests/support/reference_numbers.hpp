@@ -1,10 +1,7 @@
-// One tendon's problem of the reference model, in numbers.
+// Lengths, exponents and travels of a tendon's segments and contacts, by the reference model.
 #pragma once
 
 #include <Eigen/Core>
-
-#include <map>
-#include <set>
 
 #include "tests/support/reference_model.hpp"
 #include "tests/support/reference_walk.hpp"
@@ -13,15 +10,8 @@ namespace reeve::testing::reference {
 
 using Real = long double;
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 using Index = Eigen::Index;
-
-struct Problem {
-  bool loop = false;
-  bool jams = false;
-  Vector length, elastic, phi;    // L, E, phi
-  Vector slip;                    // zero-order slip of each contact, D = 1
-  std::map<int, double> closing;  // of the fingers that close
-};
 
 // Of the segments and contacts of one tendon. A bar has no friction.
 Vector lengths(const Tendon& tendon, const ReferenceHardware& hardware);
@@ -44,15 +34,5 @@ Real median_circulation(const Vector& phi, const Vector& slip);
 
 // Whether a contact is taken as frictionless.
 bool tied(Real phi);
-bool tied(const Problem& problem, Index k);
-
-// Throws std::invalid_argument for a tendon without a motor-side segment.
-Problem pose(const Tendon& tendon, const std::set<int>& held, ReferenceDirection direction,
-             const ReferenceHardware& hardware);
-
-// The same of a tendon that shares fingers with others, which close so; nothing is imposed on a
-// slack one.
-Problem pose_shared(const Tendon& tendon, const std::map<int, Real>& closing, bool slack,
-                    ReferenceDirection direction, const ReferenceHardware& hardware);
 
 }  // namespace reeve::testing::reference
