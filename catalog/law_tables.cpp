@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::string_view known_sites =
     "a site in quotes: tube, sheath, bearing or block (also: tube 2, tube of finger 1, of held "
-    "fingers, of closing fingers, in release, of M-1-F), a channel such as T3, all channels, or motor, "
-    "each also in run 3 or in group B";
+    "fingers, of closing fingers, of fingers, of the hand, in release, of M-1-F), a channel such as "
+    "T3, all channels, or motor, each also in run 3 or in group B";
 
 template <typename Enum>
 Enum read_name(const TomlNode& table, std::string_view key, const std::string& known,

@@ -265,9 +265,10 @@ std::string key(const Covariate& x) {
 std::string key(const Term& term) {
   const Site& site = term.site;
   return fmt::format(
-      "{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", static_cast<int>(term.target),
+      "{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", static_cast<int>(term.target),
       static_cast<int>(term.form), static_cast<int>(site.place), static_cast<int>(site.kind),
-      site.with_sheaths, site.finger, site.held ? static_cast<int>(*site.held) : 2,
+      site.with_sheaths, site.finger, site.at_fingers ? static_cast<int>(*site.at_fingers) : 2,
+      site.held ? static_cast<int>(*site.held) : 2,
       site.direction ? static_cast<int>(*site.direction) : 2, site.routing,
       site.number ? static_cast<int>(*site.number) : -1, static_cast<int>(site.channel.kind),
       site.channel.number, site.run, site.group, key(term.x), key(term.y));
@@ -364,6 +365,7 @@ bool acts_in(const Site& site, Direction direction) {
 bool acts_on(const Site& site, const ContactLoad& contact) {
   if (!acts_on(site, contact.kind) || !acts_in(site, contact.direction)) return false;
   if (site.finger != 0 && contact.finger != site.finger) return false;
+  if (site.at_fingers && (contact.finger != 0) != *site.at_fingers) return false;
   if (site.held && (contact.finger == 0 || contact.grasp.holds(contact.finger) != *site.held)) {
     return false;
   }

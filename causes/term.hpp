@@ -42,6 +42,7 @@ struct Site {
   ContactKind kind = ContactKind::tube;  // contacts
   bool with_sheaths = false;             // contacts: sheaths besides the tubes
   int finger = 0;                        // contacts of this one
+  std::optional<bool> at_fingers{};      // contacts of fingertips, or of what is fixed or carried
   std::optional<bool> held{};            // contacts of fingers that an object holds, or of others
   std::optional<Direction> direction{};  // while the motor moves this way
   std::string routing{};                 // contacts, in this word

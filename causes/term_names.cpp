@@ -131,6 +131,10 @@ class SiteReader {
     if (take(" of finger ")) {
       site_.finger = static_cast<int>(take_number());
       if (site_.finger == 0 || site_.finger > max_fingers) return false;
+    } else if (take(" of fingers")) {
+      site_.at_fingers = true;
+    } else if (take(" of the hand")) {
+      site_.at_fingers = false;
     }
     if (take(" of held fingers")) {
       site_.held = true;
@@ -247,6 +251,7 @@ std::string site_name(const Site& site) {
       name = kind_name(site);
       if (site.number) name += fmt::format(" {}", *site.number + 1);
       if (site.finger != 0) name += fmt::format(" of finger {}", site.finger);
+      if (site.at_fingers) name += *site.at_fingers ? " of fingers" : " of the hand";
       if (site.held) name += *site.held ? " of held fingers" : " of closing fingers";
       break;
   }

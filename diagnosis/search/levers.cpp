@@ -163,12 +163,13 @@ class LeversOf {
       if (most_of_a_kind(dataset_, kind) == 0) continue;
       add_in_directions({.kind = kind}, Breadth::whole, &LeversOf::add_at_contacts);
       std::set<int> fingers;
-      std::set<std::pair<std::string, std::size_t>> numbered;
+      std::set<std::pair<std::string, std::size_t>> numbered, in_hand;
       bool held = false;
       for (std::size_t r = 0; r < dataset_.rows.size(); ++r) {
         for (const causes::SolvedContact& contact : contacts_[r]) {
           if (contact.kind != kind) continue;
           if (contact.finger != 0) fingers.insert(contact.finger);
+          if (contact.finger == 0) in_hand.insert({routing(r).word, contact.number});
           held |= contact.finger != 0 && block_of_[r]->recorded.holds(contact.finger);
           numbered.insert({routing(r).word, contact.number});
         }
@@ -176,6 +177,10 @@ class LeversOf {
       for (const int finger : fingers) {
         if (fingers.size() < 2) break;
         add_at_contacts({.kind = kind, .finger = finger}, Breadth::part);
+      }
+      for (const bool at_fingers : {true, false}) {
+        if (fingers.empty() || in_hand.size() < 2) break;
+        add_at_contacts({.kind = kind, .at_fingers = at_fingers}, Breadth::part);
       }
       for (const bool is_held : {true, false}) {
         if (!held) break;

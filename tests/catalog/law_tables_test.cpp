@@ -111,6 +111,7 @@ Effect random_law(Dice& dice) {
   const std::vector<const char*> sites{"tube",
                                        "sheath of finger 2",
                                        "bearing of closing fingers",
+                                       "tube of the hand",
                                        "sheath in release",
                                        "block 3 of M-1-F",
                                        "motor",
@@ -121,7 +122,7 @@ Effect random_law(Dice& dice) {
                                        "all channels in run \\n 1",
                                        "a in group 7"};
   Term term;
-  term.site = site_named(sites[static_cast<std::size_t>(dice.integer(0, 10))]).value();
+  term.site = site_named(sites[static_cast<std::size_t>(dice.integer(0, 11))]).value();
   const bool of_contacts = term.site.place == SitePlace::contacts;
   const bool of_motor = term.site.place == SitePlace::motor;
   const bool first = dice.chance(0.5);
@@ -182,8 +183,8 @@ std::string with(const std::string& from, const std::string& to) {
 TEST(BadLawTable, NamesThePlaceOfAMistake) {
   const std::string sites =
       "a site in quotes: tube, sheath, bearing or block (also: tube 2, tube of finger 1, of held "
-      "fingers, of closing fingers, in release, of M-1-F), a channel such as T3, all channels, or motor, "
-      "each also in run 3 or in group B";
+      "fingers, of closing fingers, of fingers, of the hand, in release, of M-1-F), a channel such as "
+      "T3, all channels, or motor, each also in run 3 or in group B";
   const std::vector<Mistake> mistakes = {
       {"[[law]]\n",
        "m.toml:1:1: missing key 'acts_on' in 'law[1]': expected one of " + target_names()},

@@ -649,6 +649,8 @@ TEST(SiteName, IsReadBack) {
                            "tube of finger 1",
                            "tube of held fingers",
                            "sheath of closing fingers",
+                           "bearing of fingers",
+                           "tube 2 of the hand in pull of M-1-T-2-F",
                            "tube in release",
                            "tube and sheath",
                            "tube and sheath of finger 2 in pull",
@@ -684,10 +686,11 @@ TEST(SiteName, IsReadBack) {
 }
 
 TEST(SiteName, OfNothingIsNoSite) {
-  for (const char* name : {"", "tubes", "T", "T0", "motors", "tube of finger 0", "tube of ",
-                           "tube of finger x", "tube 0", "sheath of finger 99999999999999999999",
-                           "motor of finger 1", "channels", "tube of finger 1 2", "tube in run ",
-                           "tube 01", "T3 in group ", "T3 of finger 1", "tube and sheath 2"}) {
+  for (const char* name :
+       {"", "tubes", "T", "T0", "motors", "tube of finger 0", "tube of ", "tube of finger x",
+        "tube 0", "sheath of finger 99999999999999999999", "motor of finger 1", "channels",
+        "tube of finger 1 2", "tube in run ", "tube 01", "T3 in group ", "T3 of finger 1",
+        "tube and sheath 2", "tube of finger 1 of the hand"}) {
     EXPECT_FALSE(site_named(name)) << name;
   }
 }

@@ -213,6 +213,31 @@ TEST(TermSearch, FindsAMotorSensorThatBendsAboveALoad) {
   EXPECT_NEAR(result.causes.front().effect.values[1], 27, 1);
 }
 
+// The tubes that join two fingers are parts of the hand, whichever routing is led round them.
+TEST(TermSearch, FindsTheTubesOfTheHandWhateverTheirRouting) {
+  const double at_hand = std::exp(-1.4 * phi_tube);
+  const double at_finger = std::exp(-phi_tube);
+  std::string text = "run,routing,held,motor_tension_N,T1_N,T2_N,T3_N,T4_N,T5_N,T6_N\n";
+  std::uint64_t drawn = 0;
+  for (int run = 0; run < 12; ++run) {
+    const int count = run % 2 == 0 ? 4 : 6;
+    for (const double motor_N : {8.0, 12.0, 18.0, 27.0, 35.0, 50.0}) {
+      text +=
+          fmt::format("r{},{},1,{}", run, count == 4 ? "M-1-T-2-F" : "M-1-T-2-T-3-F", motor_N);
+      double tension_N = motor_N * std::exp(-phi_sheath);
+      for (int strand = 0; strand < count; ++strand) {
+        text += fmt::format(",{:.5f}", tension_N * (1 + 0.01 * normal(1, 6, drawn++)));
+        tension_N *= strand % 2 == 0 ? at_finger : at_hand;
+      }
+      text += count == 4 ? ",,\n" : "\n";
+    }
+  }
+  const DiagnosisResult result = diagnosed(text);
+  ASSERT_EQ(result.causes.size(), 1U);
+  EXPECT_EQ(result.causes.front().name, "law[exponent of tube of the hand]");
+  EXPECT_NEAR(result.causes.front().effect.values.front(), 0.4, 0.03);
+}
+
 // The gain of T3 in the grammar, from a wrong value and a wrong crossing on.
 Effect suspected_gain(const std::string& column) {
   Term term;
