@@ -222,8 +222,7 @@ TEST(TermSearch, FindsTheTubesOfTheHandWhateverTheirRouting) {
   for (int run = 0; run < 12; ++run) {
     const int count = run % 2 == 0 ? 4 : 6;
     for (const double motor_N : {8.0, 12.0, 18.0, 27.0, 35.0, 50.0}) {
-      text +=
-          fmt::format("r{},{},1,{}", run, count == 4 ? "M-1-T-2-F" : "M-1-T-2-T-3-F", motor_N);
+      text += fmt::format("r{},{},1,{}", run, count == 4 ? "M-1-T-2-F" : "M-1-T-2-T-3-F", motor_N);
       double tension_N = motor_N * std::exp(-phi_sheath);
       for (int strand = 0; strand < count; ++strand) {
         text += fmt::format(",{:.5f}", tension_N * (1 + 0.01 * normal(1, 6, drawn++)));
