@@ -104,7 +104,7 @@ Json alone_json(const ShownHand& hand) {
 }
 
 std::string no_pull_words(NoPull no_pull, int motors) {
-  const std::string blocked = motors > 1 ? "its carriages are blocked" : "the carriage is blocked";
+  std::string blocked = motors > 1 ? "its carriages are blocked" : "the carriage is blocked";
   switch (no_pull) {
     case NoPull::blocked:
       break;

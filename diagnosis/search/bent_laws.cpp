@@ -78,8 +78,11 @@ void screen_bent(const LawColumns& columns, std::vector<Bend> bends, FoundLaws& 
   bends.resize(std::min(most_bends, bends.size()));
   for (const Bend& at : bends) {
     const Lever& lever = columns.lever(at.lever);
-    const Range& seen = columns.covariate(lever, at.covariate).covariate.seen;
-    keep_bent(columns, at.lever, smooth_bends(at.covariate, seen), found);
+    const RowCovariate& x = columns.covariate(lever, at.covariate);
+    // What a motor's sensor bends smoothly is a gain that follows its tension.
+    if (!x.is_motor) {
+      keep_bent(columns, at.lever, smooth_bends(at.covariate, x.covariate.seen), found);
+    }
     screen_knots(columns, at, Form::hinge, 1, found);
     screen_knots(columns, at, Form::step, 0, found);
   }

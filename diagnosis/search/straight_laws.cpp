@@ -91,8 +91,9 @@ class StraightLaws {
 
   // The motor tension bends what is read of it. What it bends elsewhere is a law of the load there.
   bool bends_elsewhere(const Lever& lever, const RowLaw& law) const {
+    const bool is_read = lever.site.place == SitePlace::motor && lever.target == Target::offset;
     return law.form == Form::quadratic && law.x != columns_.load() &&
-           columns_.covariate(law.x).is_motor && lever.site.place != SitePlace::motor;
+           columns_.covariate(law.x).is_motor && !is_read;
   }
 
   // An offset in proportion to the motor tension is a gain, which has laws of its own.

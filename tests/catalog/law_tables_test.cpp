@@ -111,7 +111,6 @@ Effect random_law(Dice& dice) {
   const std::vector<const char*> sites{"tube",
                                        "sheath of finger 2",
                                        "bearing of closing fingers",
-                                       "tube of the hand",
                                        "sheath in release",
                                        "block 3 of M-1-F",
                                        "motor",
@@ -122,7 +121,7 @@ Effect random_law(Dice& dice) {
                                        "all channels in run \\n 1",
                                        "a in group 7"};
   Term term;
-  term.site = site_named(sites[static_cast<std::size_t>(dice.integer(0, 11))]).value();
+  term.site = site_named(sites[static_cast<std::size_t>(dice.integer(0, 10))]).value();
   const bool of_contacts = term.site.place == SitePlace::contacts;
   const bool of_motor = term.site.place == SitePlace::motor;
   const bool first = dice.chance(0.5);

@@ -55,9 +55,10 @@ class TreeInterior {
   }
 
   std::optional<std::vector<Verdict>> solve() {
-    if (!open_.empty() && !begin()) return std::nullopt;
+    if (open_.empty()) return std::vector<Verdict>{};
+    if (!begin()) return std::nullopt;
     int settled = 0;
-    for (int step = 0; step < limit && !open_.empty() && settled < 2; ++step) {
+    for (int step = 0; step < limit && settled < 2; ++step) {
       const Vector carried = stretched();
       const Vector beside = smaller_side(carried);
       const Real gap = mean_gap(beside);
