@@ -11,7 +11,7 @@
 namespace reeve::causes {
 namespace {
 
-// Of laws, a gain acts before an offset, as it does of the library's sensors: T (1 + f) + g.
+// A law of gain acts before one of offset, as the library's sensors do: T (1 + f) + g.
 std::ptrdiff_t place(const Cause* cause) {
   const auto causes = cause_library();
   const Term* law = term_of(*cause);

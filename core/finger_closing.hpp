@@ -59,7 +59,8 @@ struct JointStop {
   bool at_object = false;
 };
 
-// What a newton of pull beyond the whole closing adds at the objects, all joints at their stops.
+// FurtherPull is added at the objects by a newton of pull beyond the whole closing, all joints at
+// their stops.
 struct FurtherPull {
   std::vector<double> object_mm;  // N mm/N
   std::vector<double> contact{};  // N/N; empty where there are no contact forces

@@ -79,7 +79,7 @@ void screen_bent(const LawColumns& columns, std::vector<Bend> bends, FoundLaws& 
   for (const Bend& at : bends) {
     const Lever& lever = columns.lever(at.lever);
     const RowCovariate& x = columns.covariate(lever, at.covariate);
-    // What a motor's sensor bends smoothly is a gain that follows its tension.
+    // A motor's sensor that bends smoothly has a gain that follows its tension.
     if (!x.is_motor) {
       keep_bent(columns, at.lever, smooth_bends(at.covariate, x.covariate.seen), found);
     }

@@ -22,8 +22,8 @@ struct Verdict {
 //   stretch_g T_g = elastic_g + imposed_g z + (s+ - s-) in - out,   q s+ = p s- = tau -> 0,
 //   ln (sum of strands and beckets) = ln (sum of tails) at each block.
 //
-// Where it does not converge, verdicts of the last step: the conditions of the limit decide.
-// Nothing where a tendon goes slack.
+// Where it does not converge, the verdicts are those of the last step: the conditions of the limit
+// decide. There are none where a tendon goes slack.
 std::optional<std::vector<Verdict>> open_contacts(const Tree& tree);
 
 }  // namespace reeve::testing::reference
