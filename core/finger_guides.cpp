@@ -52,6 +52,7 @@ double held_exponent(const std::vector<FingerJoint>& joints) {
 double FingerPull::behind_guide_N(double decay) const {
   if (guide_factor != 1) decay = std::pow(decay, guide_factor);
   if (decay == 1) return sum_N();
+  if (right_N < 0) return left_N * decay + right_N / decay;
   const double round_tip = tip_decay / decay;
   return std::max(left_N * decay, right_N * round_tip) +
          std::max(right_N * decay, left_N * round_tip);
@@ -70,7 +71,7 @@ FingerPullArray finger_pulls_of(const Network& network, const Mechanics& mechani
     const Segment& segment = network.segments[i];
     if (segment.kind != SegmentKind::strand) continue;
     FingerPull& pull = pulls[static_cast<std::size_t>(segment.finger)];
-    (segment.number % 2 == 1 ? pull.left_N : pull.right_N) = state.tension[i];
+    (segment.number % 2 == 1 ? pull.left_N : pull.right_N) = segment.way() * state.tension[i];
   }
   for (std::size_t k = 0; k < network.contacts.size(); ++k) {
     const Contact& contact = network.contacts[k];

@@ -28,6 +28,12 @@
 // all cones, as the greater of two functions does that change by at most phi_k at contact k; and at
 // the palm it is T_l and T_r themselves.
 //
+// Two flexors that no tip joins are each loaded from the palm. An extensor passes the same guides
+// on the finger's back. As the finger closes, its strand slides to the tip, and its tension may
+// rise by e^{+S_j} up to behind guide j, which is what counts:
+//
+//   P_j = T_flexor e^{−S_j} − T_extensor e^{+S_j}
+//
 // Where contacts scatter, or a model changes the exponent of the tip, tip and guides change by the
 // same factor. At the end of the range of a finger that closes, S_j and Phi are those of that
 // posture.
@@ -73,7 +79,7 @@ double guide_exponent(const FingerJoint& joint, double flexion_rad);
 double closed_exponent(const std::vector<FingerJoint>& joints);
 double held_exponent(const std::vector<FingerJoint>& joints);
 
-// Tensions of a finger's strands at the palm.
+// Tensions of a finger's strands at the palm; an extensor's is negative.
 struct FingerPull {
   double left_N = 0;   // T(2f−1)
   double right_N = 0;  // T(2f)
@@ -82,7 +88,7 @@ struct FingerPull {
   double guide_factor = 1;  // S_j over that of the hardware
 
   double sum_N() const { return left_N + right_N; }
-  // Returns T_l,j + T_r,j; `decay` = e^{−S_j} of the hardware.
+  // Returns P_j = T_l,j + T_r,j; `decay` = e^{−S_j} of the hardware.
   double behind_guide_N(double decay) const;
   // The same pull where `decay_ratio` = e^{−(S_n' − S_n)}, S_n' that of another posture.
   FingerPull in_posture(double decay_ratio) const;

@@ -121,7 +121,7 @@ double force_without_springs(const HandFinger& finger, const FingerPull& pull) {
   for (const JointDemand& joint : finger.demands) {
     force = std::min(force, pull.behind_guide_N(joint.held_decay) * joint.arm_over_lever);
   }
-  return force;
+  return std::max(force, 0.0);
 }
 
 bool closes_springs(const HandFinger& finger, const FingerPull& per_motor, double motor_N) {

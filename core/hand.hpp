@@ -104,7 +104,7 @@ struct GripDemand {
   // can close against their springs; infinite if a finger hangs on slack strands. With several
   // motors that of the motor that needs most.
   double motor_force_N = 0;
-  int weakest = 1;        // the finger that asks for it
+  int weakest = 0;        // the finger that asks for it; 0 if nothing is gripped
   MotorArray motors_N{};  // force of each motor
 };
 GripDemand grip_demand(const Hand& hand, int fingers, const HandPulls& pulls, Grasp grasp);

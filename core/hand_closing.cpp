@@ -1,5 +1,7 @@
 #include "core/hand_closing.hpp"
 
+#include <cmath>
+
 #include "core/tension/tree_kinematics.hpp"
 
 namespace reeve::core {
@@ -42,14 +44,24 @@ void SlackOnTheWay::travel(double way_mm) {
   }
 }
 
+bool opens_fingers(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                   Kinematics& kinematics, Motion& motion) {
+  const auto is_back = [](double way) { return way < 0; };
+  const auto& travels = grasp.carriages.over_D;
+  if (std::none_of(travels.begin(), travels.end(), is_back)) return false;
+  grasp.held = 0;
+  kinematics.solve(network, mechanics, grasp, Direction::pull, motion);
+  return motion.fault == TensionFault::finger_opens ||
+         std::any_of(motion.closing.begin(), motion.closing.end(), is_back);
+}
+
 void add_strokes(const MotorGroup& group, const Grasp& grasp, double way_mm, HandClosing& closing) {
   const double blocked = std::numeric_limits<double>::infinity();
   double greatest = 0;
   for (std::size_t motor = 0; motor < max_carriages; ++motor) {
     const double travel = grasp.carriages.over_D[motor];
-    if (group.has_motor(motor) && travel > 0) {
-      closing.strokes_mm[motor] = way_mm > 0 ? travel * way_mm : blocked;
-    }
+    if (!group.has_motor(motor) || travel == 0) continue;
+    closing.strokes_mm[motor] = way_mm > 0 ? std::abs(travel) * way_mm : blocked;
     greatest = std::max(greatest, closing.strokes_mm[motor]);
   }
   closing.stroke_mm = greatest == blocked ? 0 : greatest;

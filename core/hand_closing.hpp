@@ -15,7 +15,8 @@
 // A locked end takes nothing in.
 //
 // With several motors this is D of each group of them (hand_pulls.hpp), whose carriages travel v_c
-// D as the grasp says. No group's carriages are blocked by another group.
+// D as the grasp says, in or out: a motor that lets an extensor out has a stroke, too. No group's
+// carriages are blocked by another group.
 //
 // Without blocks each tendon has 2 Σ E over its fingers (Σ E where a tendon is tied to the tip) for
 // n_a motor-side segments; the stroke is the least of these quotients.
@@ -98,6 +99,11 @@ double close_fingers(const Hand& hand, const Network& network, const Mechanics& 
   }
   return way_mm;
 }
+
+// True if some finger of the open hand would have to open further: an extensor pulls it, or its
+// flexors are let out. Such a grasp grips nothing.
+bool opens_fingers(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                   Kinematics& kinematics, Motion& motion);
 
 void add_strokes(const MotorGroup& group, const Grasp& grasp, double way_mm, HandClosing& closing);
 

@@ -286,6 +286,10 @@ Json motor_json(const ShownHand& hand) {
 
 std::vector<Section> hand_sections(const ShownHand& hand) {
   std::vector<DocumentLine> lines;
+  if (!hand.opening.empty()) {
+    lines.push_back({fmt::format("Without {}, with which fingers open: nothing is gripped then",
+                                 to_text(hand.opening))});
+  }
   add_force_lines(hand.demand, hand.motors, lines);
   append(lines, motor_lines(hand.drawn, hand.motor));
   add_motion_lines(hand, lines);

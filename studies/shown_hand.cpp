@@ -61,10 +61,10 @@ void add_greatest_force(const Hand& hand, const std::vector<ShownHandGrasp>& gra
 
 bool passes(const Network& network, const TendonSpan& tendon, int finger) {
   const auto first = network.segments.begin() + static_cast<std::ptrdiff_t>(tendon.first_segment);
-  return std::any_of(first, first + static_cast<std::ptrdiff_t>(tendon.segments),
-                     [&](const Segment& segment) {
-                       return segment.kind == SegmentKind::strand && segment.finger == finger;
-                     });
+  return std::any_of(
+      first, first + static_cast<std::ptrdiff_t>(tendon.segments), [&](const Segment& segment) {
+        return segment.kind == SegmentKind::strand && segment.finger == finger && !segment.extensor;
+      });
 }
 
 // True if each tendon that blocks the carriage has a spring, whose stretch would let it go on.
@@ -155,6 +155,21 @@ class HandStudy {
         plain_(mechanics(network, possible_hardware(model))),
         frictionless_(without_friction(plain_)),
         solver_(model, possible_hardware(model), word, network) {}
+
+  struct Sorted {
+    GraspSet gripping;
+    GraspSet opening;
+  };
+  Sorted sorted(const GraspSet& grasps) const {
+    Sorted sorted;
+    Kinematics kinematics;
+    Motion motion;
+    for (const WeightedGrasp& each : grasps) {
+      const bool opens = opens_fingers(network_, plain_, each.grasp, kinematics, motion);
+      (opens ? sorted.opening : sorted.gripping).push_back(each);
+    }
+    return sorted;
+  }
 
   ShownHand run(const GraspSet& grasps) {
     ShownHand shown;
@@ -299,10 +314,13 @@ class HandStudy {
   ModelSolver solver_;
 };
 
-// Travel of the fastest carriage over D.
+// Travel of the fastest carriage over D, in or out.
 double fastest(const CarriageTravels& carriages) {
-  const auto* const first = carriages.over_D.data();
-  return carriages.given == 0 ? 1 : *std::max_element(first, first + carriages.given);
+  double most = carriages.given == 0 ? 1 : 0;
+  for (std::size_t motor = 0; motor < carriages.given; ++motor) {
+    most = std::max(most, std::abs(carriages.over_D[motor]));
+  }
+  return most;
 }
 
 // The motors stop when one of a group has used its stroke up.
@@ -379,7 +397,12 @@ std::optional<ShownHand> shown_hand(const Network& network, const std::string& w
   const auto known = hand(model.hardware);
   const bool is_known = known && first_unknown_finger(*known, network.fingers) == 0;
   if (!is_known || network.fingers == 0) return std::nullopt;
-  return HandStudy(*known, network, word, model).run(grasps);
+  HandStudy study(*known, network, word, model);
+  const auto [gripping, opening] = study.sorted(grasps);
+  if (gripping.empty()) return std::nullopt;
+  ShownHand shown = study.run(gripping);
+  shown.opening = opening;
+  return shown;
 }
 
 }  // namespace reeve::studies

@@ -140,6 +140,7 @@ struct ShownClosing {
 struct ShownHand {
   std::vector<ShownHandFinger> fingers;
   std::vector<ShownHandGrasp> grasps;
+  GraspSet opening{};  // grasps that open fingers, and that nothing here counts
   MotorDemand demand;
   MotorParts motor;
   int motors = 1;
@@ -154,7 +155,8 @@ struct ShownHand {
   std::vector<ShownClosing> closings{};  // closing of the fingers with a guide or an object
 };
 
-// Nothing if the hardware has no hand or does not know all fingers. Pulling, whatever is shown.
+// Nothing if the hardware has no hand or does not know all fingers, or if all grasps open fingers.
+// Pulling, whatever is shown.
 std::optional<ShownHand> shown_hand(const Network& network, const std::string& word,
                                     const Model& model, const GraspSet& grasps);
 

@@ -1,13 +1,9 @@
 #include "search/evaluate/evaluation.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "core/error.hpp"
-#include "core/graph.hpp"
 #include "core/hand_closing.hpp"
 #include "core/notation.hpp"
 
@@ -47,17 +43,6 @@ bool blocks_the_carriage(const Network& network) {
   return !std::all_of(network.tendons.begin(), network.tendons.end(), has_strand);
 }
 
-// A carriage that lets its tendons out closes no finger.
-void require_carriages_that_pull(const GraspSet& grasps) {
-  for (const WeightedGrasp& weighted : grasps) {
-    const auto& travels = weighted.grasp.carriages.over_D;
-    if (*std::min_element(travels.begin(), travels.end()) >= 0) continue;
-    throw InputError({.where = fmt::format("grasp '{}'", to_text(weighted.grasp)),
-                      .what = "a carriage lets its tendons out, and the motors of a hand close it",
-                      .expected = "travels of 0 or more, or hardware without joints"});
-  }
-}
-
 }  // namespace
 
 DesignEvaluator::DesignEvaluator(const Hardware& hardware, GraspSet grasps)
@@ -73,7 +58,6 @@ DesignEvaluator::DesignEvaluator(const Model& model, GraspSet grasps, Score scor
       open_grasps_(opened(grasps_)),
       score_(std::move(score)),
       prices_(std::move(prices)) {
-  if (hand_) require_carriages_that_pull(grasps_);
   if (reaches(model, Reach::contact) || changes_exponents(model)) model_solver_.emplace(*model_);
 }
 
@@ -108,7 +92,8 @@ GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const Evaluat
   outcome.pull = performance(network_, pulled, pulls);
   if (scope.indicators)
     outcome.indicators = indicators(network_, pulled, pulls, given_up_equivalent_);
-  if (evaluates_hand(scope)) {
+  if (evaluates_hand(scope) &&
+      !opens_fingers(network_, mechanics_, grasp.grasp, kinematics_, motion_)) {
     outcome.grip = grip(pulled, grasp.grasp);
   }
   if (!scope.release) return outcome;
@@ -159,6 +144,7 @@ bool DesignEvaluator::evaluates_hand(const EvaluationScope& scope) const {
 HandOutcome DesignEvaluator::hand_outcome() {
   HandOutcome outcome{0, 1, hand_->motor.close_s, {}};
   for (const Grasp& open : open_grasps_) {
+    if (opens_fingers(network_, mechanics_, open, kinematics_, motion_)) continue;
     const HandClosing closing =
         close_hand(*hand_, network_, mechanics_, kinematics_, motion_, open);
     outcome.closure = std::min(outcome.closure, closing.closure);
@@ -240,9 +226,6 @@ ContactQuantiles DesignEvaluator::contact_quantiles() {
 
 void DesignEvaluator::find_outcome(const Routing& routing, const EvaluationScope& scope) {
   set_routing(routing);
-  if (evaluates_hand(scope)) {
-    require_single_tendons(network_, routing, "the hand of the hardware file");
-  }
   is_shared_ = shared_ && shared_->set_routing(routing);
   if (scope.indicators) given_up_equivalent_ = closing_alike_.given_up(network_, mechanics_);
   outcome_.grasps.clear();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "core/error.hpp"
@@ -17,10 +18,11 @@ namespace {
 using Grasps = std::vector<GraspOutcome>;
 
 template <typename Get>
-double mean(const Grasps& grasps, Get get) {
+double mean(const Grasps& grasps, Get get, bool (*counts)(const GraspOutcome&) = nullptr) {
   double sum = 0;
   double weight = 0;
   for (const GraspOutcome& grasp : grasps) {
+    if (counts != nullptr && !counts(grasp)) continue;
     sum += grasp.weight * get(grasp);
     weight += grasp.weight;
   }
@@ -37,7 +39,10 @@ double worst(const Grasps& grasps, Get get) {
 double uniformity(const GraspOutcome& grasp) { return grasp.pull.uniformity; }
 double finger_uniformity(const GraspOutcome& grasp) { return grasp.pull.finger_uniformity; }
 double efficiency(const GraspOutcome& grasp) { return grasp.pull.efficiency; }
-double fingertip_force(const GraspOutcome& grasp) { return grasp.grip.force_per_motor_N; }
+bool grips(const GraspOutcome& grasp) { return grasp.grip.weakest > 0; }
+double fingertip_force(const GraspOutcome& grasp) {
+  return grips(grasp) ? grasp.grip.force_per_motor_N : std::numeric_limits<double>::infinity();
+}
 
 double motor_force(const DesignOutcome& design) {
   return -worst(design.grasps, [](const GraspOutcome& g) { return -g.grip.motor_force_N; });
@@ -168,7 +173,8 @@ constexpr std::array<ObjectiveRow, objective_count> table{{
     {Objective::fingertip_force_mean, "fingertip_force_mean", "fingertip_force", "mean",
      "fingertip", "N/N", Better::higher, 3, 1, true,
      "fingertip force per newton of motor tension, least of the fingers, mean over the grasps",
-     [](const DesignOutcome& d) { return mean(d.grasps, fingertip_force); }, 0, std::nullopt, true},
+     [](const DesignOutcome& d) { return mean(d.grasps, fingertip_force, grips); }, 0, std::nullopt,
+     true},
     {Objective::fingertip_force_worst, "fingertip_force_worst", "fingertip_force", "worst",
      "fingertip", "N/N", Better::higher, 3, 1, true,
      "fingertip force per newton of motor tension, least of the fingers, in the worst grasp",

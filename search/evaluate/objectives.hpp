@@ -68,7 +68,7 @@ struct GraspOutcome {
   Performance pull;
   double round_trip_efficiency = 0;
   Indicators indicators;
-  GripDemand grip{};  // set if the hardware has a hand
+  GripDemand grip{};  // set if the hardware has a hand, which the grasp does not open
 };
 
 // The 5 % quantiles of the means over the grasps where no two contacts are alike

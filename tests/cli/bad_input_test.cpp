@@ -55,10 +55,6 @@ TEST(BadCarriages, AreNamedWithTheMotorsThatThereAre) {
       {"simulate --routings M-1-M2",
        "--routings 'M-1-M2': it has 2 motors, and a reading one motor tension: expected a routing "
        "of one motor"},
-      {"rank M-1-M2 --grasps none@1,-0.5 --hardware " REEVE_CATALOG_DIR
-       "/hardware/three_finger_hand.toml",
-       "grasp 'none@1,-0.5': a carriage lets its tendons out, and the motors of a hand close it: "
-       "expected travels of 0 or more, or hardware without joints"},
   });
 }
 

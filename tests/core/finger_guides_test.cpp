@@ -8,6 +8,7 @@
 
 #include "core/contact_name.hpp"
 #include "core/hand.hpp"
+#include "core/performance.hpp"
 #include "tests/core/network_of.hpp"
 #include "tests/support/example_hand.hpp"
 
@@ -46,6 +47,21 @@ TEST(FingerGuides, TakeTheCoefficientOfTheirKindUnlessTheyHaveTheirOwn) {
   EXPECT_EQ(with_guide_coefficients(joints, hardware)[1].mu, hardware.bearing.mu);
   joints[0].mu = 0.3;
   EXPECT_EQ(with_guide_coefficients(joints, hardware)[0].mu, 0.3);
+}
+
+// The flexor's pull falls towards the tip, the extensor's rises.
+TEST(FingerGuides, ServeAnExtensorAgainstTheFlexor) {
+  const FingerPull pull{2, -0.3};
+  EXPECT_DOUBLE_EQ(pull.sum_N(), 1.7);
+  EXPECT_DOUBLE_EQ(pull.behind_guide_N(std::exp(-0.4)), 2 * std::exp(-0.4) - 0.3 * std::exp(0.4));
+  Grasp grasp;
+  grasp.carriages = {2, {1, 0.1}};
+  const Network net = network_of("M-1x+1e-P2-2x");
+  const TensionState state = tensions(net, mechanics(net, Hardware{}), grasp);
+  const FingerPullArray pulls = pulls_in("M-1x+1e-P2-2x", Hardware{}, grasp);
+  EXPECT_LT(pulls[1].right_N, 0);
+  for (const std::size_t f : {1U, 2U}) EXPECT_EQ(pulls[f].sum_N(), pulls_by_finger(net, state)[f]);
+  EXPECT_DOUBLE_EQ((FingerPull{2, 0.3}.behind_guide_N(std::exp(-0.4))), 2.3 * std::exp(-0.4));
 }
 
 TEST(FingerGuides, LeaveLessToTheDistalJoint) {

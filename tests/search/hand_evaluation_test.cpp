@@ -166,6 +166,47 @@ TEST(HandOfSeveralMotors, HaveTheGreatestStrokesOfAllTravelsOfTheirCarriages) {
   EXPECT_NEAR(design.hand.strokes_mm[1], 2 * excursion / 1.5, 1e-9);
 }
 
+// The motors take in 1 − 0.5 of D.
+TEST(HandOfSeveralMotors, OfWhichOneLetsOutHaveTheStrokesOfBoth) {
+  const Hardware hardware = frictionless(hand_of({simple_finger(8, 90, 60, 5)}));
+  const DesignOutcome design = outcome("M-1-M2", hardware, parse_grasps("none@1,-0.5", 1, 2));
+  const double excursion = hand(hardware)->finger(1).excursion_mm;
+  EXPECT_NEAR(design.hand.strokes_mm[0], 4 * excursion, 1e-9);
+  EXPECT_NEAR(design.hand.strokes_mm[1], 2 * excursion, 1e-9);
+  EXPECT_NEAR(motor_forces(design)[0], 18.75, 1e-9);
+}
+
+double hand_value(const DesignOutcome& design, Objective objective) {
+  ObjectiveValues values{};
+  compute_objectives(design, values);
+  return value(values, objective);
+}
+
+bool has_hand_in(const std::string& word, const Hardware& hardware, const std::string& grasps) {
+  ObjectiveValues values{};
+  compute_objectives(outcome(word, hardware, parse_grasps(grasps, 2, 2)), values);
+  return has_hand(values);
+}
+
+// While the flexors close the hand the extensors are slack; what opens it again grips nothing. With
+// one finger held, the other closes by 2 D.
+TEST(HandOfSeveralMotors, WithExtensorsGripsAsWithoutThemWhileTheseAreLetOut) {
+  const Hardware hardware = hand_of({simple_finger(8, 90, 60, 5), simple_finger(8, 90, 50, 6)});
+  const DesignOutcome flexors = outcome("1x-P-2x", hardware, single_grasps(2));
+  const DesignOutcome both =
+      outcome("1x-P-2x+M2-1e+M2-2e", hardware,
+              parse_grasps("none@1,-1/1@1,-2/2@1,-2/none@-1,1:5/1@-1,1:2", 2, 2));
+  for (const Objective objective : {Objective::motor_force, Objective::fingertip_force_mean,
+                                    Objective::fingertip_force_worst}) {
+    EXPECT_DOUBLE_EQ(hand_value(both, objective), hand_value(flexors, objective));
+  }
+  EXPECT_EQ(motor_forces(both)[1], 0);
+  EXPECT_DOUBLE_EQ(both.hand.strokes_mm[0], flexors.hand.stroke_mm);
+  EXPECT_DOUBLE_EQ(both.hand.strokes_mm[1], 2 * flexors.hand.stroke_mm);
+  EXPECT_EQ(both.hand.closure, 1);
+  EXPECT_FALSE(has_hand_in("1x-P-2x+M2-1e+M2-2e", hardware, "none@-1,1"));
+}
+
 TEST(HandOfSeveralMotors, OfWhichOneStandsStillIsPulledByNoForceOfIt) {
   const Hardware hardware = hand_of({simple_finger(8, 90, 60, 5), simple_finger(10, 70, 50, 6)});
   const DesignOutcome design = outcome("M-1-F+M2-2-F", hardware, parse_grasps("none@1,0", 2, 2));

@@ -127,6 +127,19 @@ TEST(ShownHand, GivesNoForcesWhereNoMotorForceIsEnough) {
   EXPECT_EQ(found.fingers[1].closed, 1);
 }
 
+TEST(ShownHand, LeavesOutGraspsThatOpenFingers) {
+  const Hardware hardware = hand_of({sprung(8, 90, 30, 5)});
+  const Network network = expand(parse_routing("M-1x+M2-1e"));
+  const auto in_grasps = [&](const std::string& grasps) {
+    return shown_hand(network, "", Model{hardware}, parse_grasps(grasps, 1, 2));
+  };
+  const ShownHand both = *in_grasps("none@1,-1/none@-1,1");
+  EXPECT_EQ(both.grasps.size(), 1U);
+  EXPECT_EQ(to_text(both.opening), "none@-1,1");
+  EXPECT_EQ(both.demand.force_N, in_grasps("none@1,-1")->demand.force_N);
+  EXPECT_FALSE(in_grasps("none@-1,1"));
+}
+
 TEST(ShownHand, IsNothingWithoutAHandOrWithoutFingers) {
   const Network net = expand(parse_routing("M-1-T-2-F"));
   EXPECT_FALSE(studies::shown_hand(net, "M-1-T-2-F", Model{}, single_grasps(2)));
