@@ -301,13 +301,10 @@ bool is_missing(std::string_view text) {
 double CsvNumberReader::read(std::string_view text, std::size_t line, double low, double high,
                              bool may_be_empty) {
   std::string written(text);
-  // Words may have both marks, and say nothing of either.
-  if (with_commas_ && text.find_first_not_of("0123456789+-eE.,") == std::string_view::npos) {
-    require_one_mark(text, line);
-    std::replace(written.begin(), written.end(), ',', '.');
-  }
+  if (with_commas_) std::replace(written.begin(), written.end(), ',', '.');
   if (written.starts_with('+') && !written.starts_with("+-")) written.erase(0, 1);
   const std::optional<double> number = number_in(written);
+  if (with_commas_) require_one_mark(text, number.has_value(), line);
   if (number && *number >= low && *number <= high) return *number;
   if (std::isinf(high) && std::isinf(low)) {
     throw InputError({.expected = "a finite number such as 12.5, or an empty cell"});
@@ -316,15 +313,24 @@ double CsvNumberReader::read(std::string_view text, std::size_t line, double low
                                             may_be_empty ? ", or an empty cell" : "")});
 }
 
-void CsvNumberReader::require_one_mark(std::string_view text, std::size_t line) {
+// Dates and words say nothing of the mark; 1.234,5 is a number with both.
+void CsvNumberReader::require_one_mark(std::string_view text, bool is_number, std::size_t line) {
   const bool comma = text.find(',') != std::string_view::npos;
   const bool point = text.find('.') != std::string_view::npos;
+  const bool is_of_digits = text.find_first_not_of("0123456789+-eE.,") == std::string_view::npos;
+  if (!is_of_digits || !(is_number ? comma || point : comma && point)) return;
   if (comma && comma_line_ == 0) comma_line_ = line;
   if (point && point_line_ == 0) point_line_ = line;
-  if (comma_line_ == 0 || point_line_ == 0 || !(comma || point)) return;
+  require_mark_of(*this);
+}
+
+void CsvNumberReader::require_mark_of(const CsvNumberReader& other) const {
+  const std::size_t comma_line = comma_line_ != 0 ? comma_line_ : other.comma_line_;
+  const std::size_t point_line = point_line_ != 0 ? point_line_ : other.point_line_;
+  if (comma_line == 0 || point_line == 0) return;
   throw InputError(
       {.what = fmt::format("the file has decimal commas (line {}) and decimal points (line {})",
-                           comma_line_, point_line_),
+                           comma_line, point_line),
        .expected = "one of them throughout"});
 }
 

@@ -130,8 +130,11 @@ class CsvNumberReader {
   double read(std::string_view text, std::size_t line, double low, double high,
               bool may_be_empty = true);
 
+  // Throws InputError if the numbers read so far have the other mark than those of `other`.
+  void require_mark_of(const CsvNumberReader& other) const;
+
  private:
-  void require_one_mark(std::string_view text, std::size_t line);
+  void require_one_mark(std::string_view text, bool is_number, std::size_t line);
 
   bool with_commas_;
   std::size_t comma_line_ = 0;  // first line with a decimal comma

@@ -366,6 +366,7 @@ class RowReader {
                          for_message(name))});
       } else {
         faults_.add(covariate.faults);
+        cells_.require_mark(covariate.column, faults_);
         data_.covariates.push_back(name);
       }
     }

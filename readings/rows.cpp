@@ -167,7 +167,7 @@ std::optional<double> RowCells::number(const CsvRow& row, std::size_t column) {
   return at(row, column,
             [&](std::string_view text) -> std::optional<double> {
               if (is_missing(text)) return std::nullopt;
-              const double value = read_number(text, row.line, columns_[column]);
+              const double value = read_number(text, row.line, columns_[column], numbers_);
               if (is_of_sensor(columns_[column].role)) require_measurable(value);
               return value;
             })
@@ -177,14 +177,25 @@ std::optional<double> RowCells::number(const CsvRow& row, std::size_t column) {
 std::optional<double> RowCells::covariate(const CsvRow& row, std::size_t column) {
   const std::string_view text = trimmed(row.fields[column]);
   if (is_missing(text)) return std::nullopt;
-  return read_number(text, row.line, columns_[column]);
+  return read_number(text, row.line, columns_[column], covariates_[column]);
 }
 
-double RowCells::read_number(std::string_view text, std::size_t line, const DataColumn& column) {
+double RowCells::read_number(std::string_view text, std::size_t line, const DataColumn& column,
+                             CsvNumberReader& numbers) {
   const Unit& unit = column.unit;
   const bool may_be_empty = column.role != DataRole::time;
-  return unit.converted(numbers_.read(text, line, unit.back(column.range.low),
-                                      unit.back(column.range.high), may_be_empty));
+  return unit.converted(numbers.read(text, line, unit.back(column.range.low),
+                                     unit.back(column.range.high), may_be_empty));
+}
+
+void RowCells::require_mark(std::size_t covariate, FaultList& faults) const {
+  try {
+    covariates_[covariate].require_mark_of(numbers_);
+  } catch (const InputError& error) {
+    const std::string& name = columns_[covariate].name;
+    const std::string place = fmt::format("{}: column '{}'", csv_.name(), for_message(name));
+    faults.add(0, in_column(name), error.at(place).fault());
+  }
 }
 
 void RowCells::add_fault(const CsvRow& row, std::size_t column, const InputError& error,

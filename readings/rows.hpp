@@ -79,13 +79,17 @@ class RowCells {
         columns_(columns),
         faults_(faults),
         numbers_(csv.separator()),
+        covariates_(columns.size(), numbers_),
         tare_(columns.size()) {}
 
   // Returns the numbers of a row in reeve's units, by column, without the zeros of the sensors;
   // those of covariates apart. Nothing of a row of zeros, or of another length.
   std::optional<Numbers> numbers(const CsvRow& row);
-  // Throws InputError: a column that no one knows may hold words.
+  // Throws InputError: a column that no one knows may hold words. Dates and versions in it say
+  // nothing of the other columns' decimal mark.
   std::optional<double> covariate(const CsvRow& row, std::size_t column);
+  // Adds a fault if the covariate's numbers have another decimal mark than the other columns.
+  void require_mark(std::size_t covariate, FaultList& faults) const;
 
   // Runs `action` on the cell. Its input error goes into the list of faults, and it gives nothing.
   template <typename Action>
@@ -109,12 +113,14 @@ class RowCells {
  private:
   bool is_tare(const CsvRow& row) const;
   std::optional<double> number(const CsvRow& row, std::size_t column);
-  double read_number(std::string_view text, std::size_t line, const DataColumn& column);
+  static double read_number(std::string_view text, std::size_t line, const DataColumn& column,
+                            CsvNumberReader& numbers);
 
   const CsvReader& csv_;
   const std::vector<DataColumn>& columns_;
   FaultList& faults_;
-  CsvNumberReader numbers_;
+  CsvNumberReader numbers_;                  // of all columns but covariates
+  std::vector<CsvNumberReader> covariates_;  // [column]
   Tare tare_;
   std::vector<std::size_t> lines_without_name_;
 };

@@ -14,13 +14,14 @@
 namespace reeve::reports {
 namespace {
 
-void add_note(const char* parts, double mu, const MuRange& range, std::vector<std::string>& notes) {
-  if (range.low <= mu && mu <= range.high) return;
+void add_note(const char* parts, const ContactLaw& law, const MuRange& range,
+              std::vector<std::string>& notes) {
+  if (law.known || (range.low <= law.mu && law.mu <= range.high)) return;
   notes.push_back(fmt::format(
       "the nominal friction coefficient of {}, {:.4g}, is outside its range, {:.4g} "
       "to {:.4g}, which is widened to hold it: [uncertainty] of the hardware file gives "
       "another",
-      parts, mu, range.low, range.high));
+      parts, law.mu, range.low, range.high));
 }
 
 Json subject_json(const Effect& effect) {
@@ -157,8 +158,8 @@ int finger_of(const Effect& effect) {
 
 std::vector<std::string> range_notes(const Hardware& nominal, const UncertaintyRanges& ranges) {
   std::vector<std::string> notes;
-  add_note("tubes", nominal.tube.mu, ranges.tube_mu, notes);
-  add_note("sheaths", nominal.sheath.mu, ranges.sheath_mu, notes);
+  add_note("tubes", nominal.tube, ranges.tube_mu, notes);
+  add_note("sheaths", nominal.sheath, ranges.sheath_mu, notes);
   return notes;
 }
 

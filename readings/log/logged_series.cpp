@@ -220,7 +220,10 @@ class LogReader {
   // A column of labels has none of these.
   void take(std::size_t column) {
     const DataColumn& of = columns_[column];
-    if (of.role == DataRole::covariate && values_[column].is_text) return note_text(column);
+    if (of.role == DataRole::covariate) {
+      if (values_[column].is_text) return note_text(column);
+      cells_.require_mark(column, faults_);
+    }
     LoggedSignal signal{of.meaning, std::move(values_[column].numbers), of.name};
     if (of.role == DataRole::time) series_.time_s = std::move(signal.values);
     if (of.role == DataRole::position) series_.position_mm = std::move(signal);

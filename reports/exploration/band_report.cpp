@@ -147,17 +147,26 @@ Table band_table(const std::vector<ListedDesign>& designs,
   return table;
 }
 
+std::string mu_text(const Interval& mu) {
+  return mu.low == mu.high ? fmt::format("{:.4g}", mu.low)
+                           : fmt::format("{:.4g} to {:.4g}", mu.low, mu.high);
+}
+
 // "tubes mu 0.05 to 0.2, sheaths mu 0.05 to 0.2, bearings mu ± 50 %, bends ± 20 %, each contact
 // ± 4 % (bearings 10 %)"
 std::string drawn_text(const UncertaintyOptions& options) {
   const UncertaintyRanges& ranges = options.ranges;
   const CoefficientBox box = coefficient_box(options.nominal.hardware, ranges);
   const ContactScatter& scatter = options.nominal.hardware.scatter;
+  const std::string bearings =
+      options.nominal.hardware.bearing.known
+          ? fmt::format("{:.4g}", options.nominal.hardware.bearing.mu)
+          : fmt::format("± {:.4g} %", 100 * ranges.bearing_mu_relative);
   return fmt::format(
-      "tubes mu {:.4g} to {:.4g}, sheaths mu {:.4g} to {:.4g}, bearings mu ± {:.4g} %, bends "
-      "± {:.4g} %, each contact ± {:.4g} % (bearings {:.4g} %)",
-      box[0].low, box[0].high, box[1].low, box[1].high, 100 * ranges.bearing_mu_relative,
-      100 * ranges.sheath_angle_relative, 100 * scatter.relative, 100 * scatter.bearing_relative);
+      "tubes mu {}, sheaths mu {}, bearings mu {}, bends ± {:.4g} %, each contact ± {:.4g} % "
+      "(bearings {:.4g} %)",
+      mu_text(box[0]), mu_text(box[1]), bearings, 100 * ranges.sheath_angle_relative, 100 * scatter.relative,
+      100 * scatter.bearing_relative);
 }
 
 Section band_section(const std::vector<ListedDesign>& shown, const Order& order,

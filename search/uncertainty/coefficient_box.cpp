@@ -12,9 +12,10 @@ Interval around(double value, double relative) {
   return {value * (1 - relative), value * (1 + relative)};
 }
 
-// Widens a literature range to include the value of the user's hardware.
-Interval widened(const MuRange& range, double nominal) {
-  return {std::min(range.low, nominal), std::max(range.high, nominal)};
+// Widens a literature range to include the value of the user's hardware, if it was not measured.
+Interval range_of(const ContactLaw& law, const MuRange& literature) {
+  if (law.known) return {law.mu, law.mu};
+  return {std::min(literature.low, law.mu), std::max(literature.high, law.mu)};
 }
 
 // Returns the μ on which the interval of the bearings is centred. If bearings have no friction,
@@ -43,8 +44,9 @@ void bend_sheaths(Hardware& hardware, double factor) {
 }  // namespace
 
 CoefficientBox coefficient_box(const Hardware& nominal, const UncertaintyRanges& ranges) {
-  return {widened(ranges.tube_mu, nominal.tube.mu), widened(ranges.sheath_mu, nominal.sheath.mu),
-          around(bearing_reference(nominal), ranges.bearing_mu_relative),
+  const double of_bearings = nominal.bearing.known ? 0 : ranges.bearing_mu_relative;
+  return {range_of(nominal.tube, ranges.tube_mu), range_of(nominal.sheath, ranges.sheath_mu),
+          around(bearing_reference(nominal), of_bearings),
           around(nominal.sheath.angle_rad, ranges.sheath_angle_relative)};
 }
 

@@ -3,7 +3,8 @@
 // bearing); a mu that the hardware file sets for a single finger or contact stays as it is. Bends
 // of sheaths that it sets so turn in proportion with the others, since posture bends whatever was
 // mounted. A block turns on a bearing: where it has a mu of its own, that varies with theirs, in
-// proportion. The ranges of mu are widened to hold the nominal values, if need be.
+// proportion. The ranges of mu are widened to hold the nominal values, if need be; a
+// measured mu (`known = true`) does not vary.
 //
 // The hardware of a model varies, and the effects act on what comes out: they were found on a rig
 // and are taken as known. So a coefficient that an effect replaces (tube_friction) does not vary,

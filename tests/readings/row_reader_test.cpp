@@ -79,6 +79,17 @@ TEST(MeasuredData, MayComeWithSemicolonsAndDecimalCommas) {
       "(line 3): expected one of them throughout");
 }
 
+TEST(MeasuredData, TakeTheDecimalMarkFromNumbersNotFromDatesAndWords) {
+  const std::string header = "run;routing;T1_N;Datum;Bemerkung\n";
+  const MeasuredData data =
+      read_data(header + "A;TR5;2,5;12.03.2026;1.5\nA;TR5;2,5;12.03.2026;neu\nA;TR5;2,5;;alt\n");
+  EXPECT_EQ(data.readings.size(), 3U);
+  EXPECT_TRUE(data.covariates.empty());
+  EXPECT_EQ(data_error("run;routing;T1_N;humidity_pct\nA;TR5;2,5;40.5\nA;TR5;2,6;41.5\n"),
+            "d.csv: column 'humidity_pct': the file has decimal commas (line 2) and decimal points "
+            "(line 2): expected one of them throughout");
+}
+
 TEST(MeasuredData, OfABenchHaveItsStretchAtTheHand) {
   const MeasuredData data = read_data("run,routing,Ta_N,Th1_N\nA,M-F,10,4\n");
   const MeasuredRouting& bench = data.routings[0];

@@ -110,6 +110,9 @@ TEST(RangeNotes, NameACoefficientThatItsRangeLeavesOut) {
           "0.2, which is widened to hold it: [uncertainty] of the hardware file gives another"});
   hardware.sheath.mu = 0.04;
   EXPECT_EQ(range_notes(hardware, ranges).size(), 2U);
+  hardware.tube.known = true;
+  EXPECT_EQ(range_notes(hardware, ranges).size(), 1U);
+  hardware.tube.known = false;
   ExploreReport report;
   report.options.model.hardware = hardware;
   report.options.grasps = single_grasps(2);

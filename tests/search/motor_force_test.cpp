@@ -50,6 +50,19 @@ TEST(MotorForce, IsNominalAndInTheQuantileWhatTheCapstanLawSays) {
   EXPECT_FALSE(force->is_met_by(force->p95_N - 1e-6));
 }
 
+TEST(MotorForce, DoesNotVaryWithAFrictionThatWasMeasured) {
+  UncertaintyOptions options = one_finger();
+  options.ranges = {.sheath_angle_relative = 0};
+  Hardware& hardware = options.nominal.hardware;
+  for (ContactLaw* law : {&hardware.tube, &hardware.bearing}) law->known = true;
+  hardware.sheath.known = true;
+  for (const char* word : {"M-1b-F", "M-1-T-1b-F"}) {
+    const auto force = motor_force(parse_routing(word), options);
+    if (!force) continue;
+    EXPECT_EQ(force->p95_N, force->nominal_N) << word;
+  }
+}
+
 // 20 N along 10 mm · π/2 on each of two fingers; against its spring finger 2 takes 30 N.
 TEST(LeastWork, IsPullTimesExcursionOfTheFingersThatClose) {
   constexpr double half_turn = std::numbers::pi / 2;
