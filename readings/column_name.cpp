@@ -118,6 +118,21 @@ std::optional<Unit> unit_after(const std::string& letters, std::string_view unit
 
 }  // namespace
 
+namespace {
+
+// "T1 / N" and "T1 in N", as ISO 80000 writes them.
+void take_unit_behind(std::string_view& name, std::optional<std::string>& unit) {
+  for (const std::string_view mark : {" / ", " in "}) {
+    const std::size_t at = name.rfind(mark);
+    if (at == std::string_view::npos || !is_unit(name.substr(at + mark.size()))) continue;
+    unit = trimmed(name.substr(at + mark.size()));
+    name = trimmed(name.substr(0, at));
+    return;
+  }
+}
+
+}  // namespace
+
 NameWords words_of(std::string_view name) {
   NameWords result;
   name = trimmed(name);
@@ -128,6 +143,7 @@ NameWords words_of(std::string_view name) {
       name = name.substr(0, open);
     }
   }
+  if (!result.bracketed) take_unit_behind(name, result.bracketed);
   bool in_word = false;
   for (const char c : lower(name)) {
     const bool parts = c == ' ' || c == '_' || c == '-' || c == '.' || c == '\t';

@@ -29,10 +29,10 @@ namespace reeve::readings {
 // The words that people's names of columns are made of.
 // "Motor Tension [lbf]", "motor_tension_lbf" and "MotorTension (lbf)" are the letters
 // "motortension" and the unit lbf: blanks, _, - and . part words, and brackets at the end hold a
-// unit.
+// unit, as does what follows " / " or " in ".
 struct NameWords {
   std::vector<std::string> words;        // in small letters
-  std::optional<std::string> bracketed;  // text in brackets, as written
+  std::optional<std::string> bracketed;  // text in brackets, or the unit behind, as written
 };
 
 NameWords words_of(std::string_view name);

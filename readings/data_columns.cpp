@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "readings/guessed_column.hpp"
 
 namespace reeve::readings {
 namespace {
@@ -75,10 +76,60 @@ void require(Header& header, DataRole role, const std::string& column,
   header.fail({.what = "the header has no column " + column, .expected = expected});
 }
 
-void require_columns(Header& header, const std::string& map_option) {
-  const auto named = [&](const char* meaning) {
-    return map_option.empty() ? ""
-                              : fmt::format("; name it with {} 'COLUMN={}'", map_option, meaning);
+// What each column would mean that is a covariate, and that the user has said nothing of.
+std::vector<GuessedColumn> guesses(const Header& header, const std::optional<CsvRow>& units,
+                                   const ReadingOptions& options) {
+  std::vector<GuessedColumn> found;
+  for (std::size_t i = 0; i < header.columns().size(); ++i) {
+    const DataColumn& column = header.columns()[i];
+    const auto is_of_it = [&](const ColumnMeaning& said) { return said.column == column.name; };
+    found.emplace_back();
+    if (column.role != DataRole::covariate || std::ranges::any_of(options.map, is_of_it)) continue;
+    found.back() = guess_column(column.name, unit_of_column(column.name, units, i));
+  }
+  return found;
+}
+
+// Read as a covariate, a column of one of these roles would make all rows mean something else.
+bool matters(const ColumnName& meaning, const GuessedColumn& guess) {
+  switch (meaning.role) {
+    case DataRole::held:
+    case DataRole::direction:
+      return true;
+    case DataRole::tension:
+    case DataRole::motor_tension:
+      return words_of(guess.name).bracketed.has_value();
+    default:
+      return false;
+  }
+}
+
+bool has(const Header& header, const ColumnName& meaning) {
+  return std::ranges::any_of(header.columns(), [&](const DataColumn& column) {
+    return column.role == meaning.role && column.place == meaning.place;
+  });
+}
+
+void require_said(Header& header, const std::vector<GuessedColumn>& guesses,
+                  const std::string& map_option) {
+  if (map_option.empty()) return;
+  for (std::size_t i = 0; i < guesses.size(); ++i) {
+    const auto meaning = try_column_named(guesses[i].meaning);
+    if (!meaning || !matters(*meaning, guesses[i]) || has(header, *meaning)) continue;
+    const std::string name = for_message(guesses[i].name);
+    header.fail_column(i, fmt::format("its meaning, which may be {1}: {0} '{2}={1}', or {0} "
+                                      "'{2}={2}' if it is none",
+                                      map_option, guesses[i].meaning, name));
+  }
+}
+
+void require_columns(Header& header, const std::vector<GuessedColumn>& guesses,
+                     const std::string& map_option) {
+  const auto named = [&](const char* meaning) -> std::string {
+    if (map_option.empty()) return "";
+    const auto guess = std::ranges::find(guesses, meaning, &GuessedColumn::meaning);
+    return fmt::format("; name it with {} '{}={}'", map_option,
+                       guess == guesses.end() ? "COLUMN" : for_message(guess->name), meaning);
   };
   require(header, DataRole::run, "'run'", "a name or number for each run" + named("run"));
   require(header, DataRole::routing, "'routing'", "a routing in each row" + named("routing"));
@@ -113,7 +164,9 @@ DataColumns read_columns(const CsvReader& csv, const std::optional<CsvRow>& unit
   Header header(csv, units, options, file_of_readings, faults);
   require_noise(header, options);
   require_no_log(csv, header.columns());
-  require_columns(header, options.map_option);
+  const std::vector<GuessedColumn> guessed = guesses(header, units, options);
+  require_columns(header, guessed, options.map_option);
+  require_said(header, guessed, options.map_option);
   require_tensions_of_deviations(header);
   return header.finish();
 }

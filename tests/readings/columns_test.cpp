@@ -76,6 +76,49 @@ TEST(MissingDataColumn, IsNamedWithWhatWasExpected) {
 
 using Lines = std::vector<std::size_t>;
 
+std::string error_with_map(const std::string& header, std::vector<ColumnMeaning> map) {
+  const CsvReader csv(header + "\n", "d.csv");
+  ReadingOptions options;
+  options.map_option = "--map";
+  options.map = std::move(map);
+  FaultList faults;
+  read_columns(csv, {}, options, faults);
+  return input_error([&] { faults.throw_any("d.csv"); });
+}
+
+// As a covariate, each of them would say something else of all rows.
+TEST(AColumnThatMayBeKnown, MustBeSaidToBeItOrNone) {
+  const std::string start = "run,routing,T1_N,";
+  const std::string no_error = "no such error was thrown";
+  EXPECT_EQ(error_with_map(start + "Richtung", {}),
+            "d.csv:1: column 4 'Richtung': expected its meaning, which may be direction: --map "
+            "'Richtung=direction', or --map 'Richtung=Richtung' if it is none");
+  for (const std::string column : {"gehaltene Finger", "Motorkraft / N", "Kraft 3 [N]"}) {
+    EXPECT_NE(error_with_map(start + column, {}).find("which may be"), std::string::npos);
+    EXPECT_EQ(error_with_map(start + column, {{column, column}}), no_error);
+  }
+  // Known already, no strand, no force, and nothing that every row hangs on.
+  EXPECT_EQ(error_with_map(start + "motor_tension_N,Motorkraft [N],Kraft 1 [N],load [kg]", {}),
+            no_error);
+  EXPECT_EQ(error_with_map(start + "load_cell_2_temp_C,plastic 3,Temperatur,Zyklus", {}), no_error);
+}
+
+TEST(AMissingColumn, IsMappedToWhatMayBeIt) {
+  const std::string error = error_with_map("Versuch,Verlegung,T1_N", {});
+  EXPECT_NE(error.find("name it with --map 'Versuch=run'"), std::string::npos) << error;
+  EXPECT_NE(error.find("name it with --map 'Verlegung=routing'"), std::string::npos) << error;
+}
+
+TEST(DataColumns, HaveUnitsBehindASlashOrIn) {
+  const auto found = columns("run,routing,T1 / kgf,T2 in N,Ta / N,humidity in pct,T3 / T1");
+  EXPECT_EQ(found[2].role, DataRole::tension);
+  EXPECT_EQ(std::string(found[2].unit.name), "kgf");
+  EXPECT_EQ(found[3].role, DataRole::tension);
+  EXPECT_EQ(found[4].role, DataRole::tension);
+  EXPECT_EQ(found[5].role, DataRole::covariate);
+  EXPECT_EQ(found[6].role, DataRole::covariate);
+}
+
 TEST(ARowOfUnits, IsNoReadingAndIsNoted) {
   const MeasuredData data =
       read_data("run,routing,speed,T1,Ta,humidity,time\n-,-,m/s,lbf,N,%RH,s\nA,TR5,0.5,2,3,40,7\n");
