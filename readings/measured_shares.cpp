@@ -52,10 +52,11 @@ ShareGroup& group_of(std::vector<ShareGroup>& groups, const Reading& reading) {
 std::vector<std::size_t> strand_channels(const MeasuredData& data, const MeasuredRouting& routing) {
   std::vector<std::size_t> channels;
   for (int strand = 1; strand <= 2 * routing.network.fingers; ++strand) {
+    const Segment wanted{SegmentKind::strand, strand, 0};
+    if (!find_segment(routing.network, wanted)) continue;
     const auto found =
-        std::find_if(data.channels.begin(), data.channels.end(), [&](const Channel& channel) {
-          return channel.segment == Segment{SegmentKind::strand, strand, 0};
-        });
+        std::find_if(data.channels.begin(), data.channels.end(),
+                     [&](const Channel& channel) { return channel.segment == wanted; });
     if (found == data.channels.end()) return {};
     channels.push_back(static_cast<std::size_t>(found - data.channels.begin()));
   }

@@ -59,15 +59,18 @@ bool is_coefficient_of_tubes_or_sheaths(const Effect& effect) {
   return name == "tube_friction" || name == "sheath_friction";
 }
 
-// Strand by strand; NaN where all are slack.
-std::vector<double> model_shares(const SolvedRouting& report) {
+// Strand by strand; NaN where all are slack. A finger to which a tendon is tied has one.
+std::vector<StrandShare> model_shares(const SolvedRouting& report) {
   const ShownGrasp& shown = report.grasps.front();
-  std::vector<double> shares(2 * static_cast<std::size_t>(report.network.fingers));
-  for (std::size_t i = 0; i < report.network.segments.size(); ++i) {
-    const Segment& segment = report.network.segments[i];
-    if (segment.kind != SegmentKind::strand) continue;
-    shares[static_cast<std::size_t>(segment.number - 1)] =
-        shown.state.tension[i] / shown.performance.force_transmission;
+  std::vector<StrandShare> shares;
+  for (int strand = 1; strand <= 2 * report.network.fingers; ++strand) {
+    const Segment wanted{SegmentKind::strand, strand, 0};
+    const auto found = find_segment(report.network, wanted);
+    if (!found) continue;
+    shares.push_back({segment_name(wanted),
+                      shown.state.tension[*found] / shown.performance.force_transmission,
+                      {},
+                      {}});
   }
   return shares;
 }
@@ -202,9 +205,7 @@ class Distributions {
       RoutingShares& shares = result.routings.emplace_back();
       shares.word = shown.word;
       shares.name = shown.name;
-      for (const double share : model_shares(shown)) {
-        shares.strands.push_back({fmt::format("T{}", shares.strands.size() + 1), share, {}, {}});
-      }
+      shares.strands = model_shares(shown);
       add_measured(shares, grasp);
     }
     add_published(result);

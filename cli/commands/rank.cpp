@@ -48,7 +48,7 @@ struct RankFlags {
   OutOption out;
   TextOption data;
   ReadingFlags readings;
-  std::string distributions = "0.18,0.09";
+  std::optional<std::string> distributions;
   RankingFlags ranking;
   TradeoffFlags tradeoff;
   SweepFlags sweep;
@@ -90,6 +90,14 @@ struct RankInputs {
   std::optional<MeasuredData> data;
 };
 
+// The coefficients of the paper's figures, if they say something of this hardware.
+const char* usual_cases(const Model& model) {
+  const Hardware own = effective_hardware(model);
+  const Hardware paper;
+  const bool is_of_paper = own.tube.mu == paper.tube.mu && own.sheath.mu == paper.sheath.mu;
+  return is_of_paper ? "0.18,0.09" : "model";
+}
+
 RankInputs read(const RankFlags& flags) {
   RankInputs inputs;
   inputs.catalogue = shipped_catalogue();
@@ -100,7 +108,8 @@ RankInputs read(const RankFlags& flags) {
   require_hardware_to_fit(inputs.file.model.hardware, inputs.routings);
   require_values_to_act(inputs.file.model.hardware, inputs.routings);
   require_known_fingers(inputs.file.model.hardware, finger_count(inputs.routings.front()));
-  inputs.cases = read_friction_cases(flags.distributions, inputs.file.model);
+  inputs.cases = read_friction_cases(flags.distributions.value_or(usual_cases(inputs.file.model)),
+                                     inputs.file.model);
   if (flags.data.is_given()) {
     inputs.data = flags.readings.read(flags.data.text, inputs.catalogue);
   }
@@ -258,9 +267,10 @@ void add_options(CLI::App& command, RankFlags& flags) {
       ->check(names_a_file)
       ->needs(out);
   flags.readings.add_to(command, flags.data.option);
-  add_with_default(command, "--distribution-mu", flags.distributions,
-                   "Friction coefficients of the tension distributions on the page; 'model': "
-                   "those of the model")
+  command
+      .add_option("--distribution-mu", flags.distributions,
+                  "Friction coefficients of the tension distributions on the page; 'model': those "
+                  "of hardware and model (default: 0.18,0.09, or model where that has others)")
       ->needs(out);
   flags.stored.add_to(command);
   flags.ranking.add_to(command);

@@ -29,6 +29,14 @@ TEST(MeasuredShares, AreTheMeansOfTheReadingsOfARoutingInAGrasp) {
   EXPECT_TRUE(shares.groups[1].deviation.empty());
 }
 
+// A tendon that is tied to its finger has one strand.
+TEST(MeasuredShares, AreOfTheStrandsThatTheRoutingHas) {
+  const SharesOfData shares =
+      measured_shares(read_data("run,routing,held,T1_N,T3_N\n1,M-1x+M-2x,none,3,1\n"));
+  ASSERT_EQ(shares.groups.size(), 1U);
+  EXPECT_EQ(shares.groups[0].mean, (std::vector<double>{0.75, 0.25}));
+}
+
 TEST(MeasuredShares, NeedAllStrandsPulledAndNotAllSlack) {
   const SharesOfData shares = measured_shares(
       read_data(shares_header +

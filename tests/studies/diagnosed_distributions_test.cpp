@@ -150,5 +150,18 @@ TEST(DiagnosedDistributions, ShowTheTableWhereAFigureHasTheSameCoefficient) {
   EXPECT_EQ(tr4.strands[0].published->share, 0.54);
 }
 
+TEST(TensionDistributions, HaveTheStrandsThatTheRoutingHas) {
+  const std::vector<Routing> routings{parse_routing("M-1b-B-2b-B-3x"), parse_routing("M-1x+M-2x")};
+  const TensionDistributions all =
+      tension_distributions({routings, {{FrictionKind::model, {}}}, {}}, shipped_catalogue());
+  const auto names = [&](std::size_t routing) {
+    std::string text;
+    for (const StrandShare& strand : all.list[0].routings[routing].strands) text += strand.strand;
+    return text;
+  };
+  EXPECT_EQ(names(0), "T1T2T3T4T5");
+  EXPECT_EQ(names(1), "T1T3");
+}
+
 }  // namespace
 }  // namespace reeve
