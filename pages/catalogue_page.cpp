@@ -13,7 +13,9 @@ namespace {
 
 std::string numbers_text(const ListedMechanism& mechanism) {
   if (mechanism.printed == 0) return "none of its numbers is in print";
-  return fmt::format("{} of {} printed numbers agree", mechanism.agree, mechanism.printed);
+  const char* others = mechanism.agree < mechanism.printed ? "; reeve check says why not all" : "";
+  return fmt::format("{} of {} printed numbers agree{}", mechanism.agree, mechanism.printed,
+                     others);
 }
 
 Json mechanism_json(const ListedMechanism& mechanism, const std::string& svg) {

@@ -95,8 +95,8 @@ Figure posture_figure(const ShownClosing& closing, std::size_t number) {
     chart.panels.push_back(std::move(panel));
   }
   return {fmt::format("postures-{}", number),
-          fmt::format("Postures of {} as it closes", fingers_text(closing)),
-          "Straight up: the open finger. Below each: the excursion of the tendon.",
+          fmt::format("Postures of {} in the closing", fingers_text(closing)),
+          "Straight up: the open finger. Above each: the excursion of the tendon.",
           chart_svg(chart)};
 }
 

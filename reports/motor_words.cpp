@@ -38,10 +38,11 @@ std::vector<DocumentLine> stroke_lines(const MotorForce& force, const MotorParts
   if (!motor.stroke_mm || !std::isfinite(force.stroke_mm)) return {};
   const bool enough = force.stroke_mm <= *motor.stroke_mm;
   const char* where_enough = force.closure < 1 ? "enough for as far as the hand closes" : "enough";
-  return {{fmt::format("The motor's stroke of {:.4g} mm is {}: {} of it {} needed",
+  return {{fmt::format("The motor's stroke of {:.4g} mm is {}{}: {} of it {} needed",
                        *motor.stroke_mm, enough ? where_enough : "not enough",
+                       force.springs ? ", if springs in series do not stretch" : "",
                        percent(force.stroke_mm / *motor.stroke_mm), enough ? "is" : "would be"),
-           !enough}};
+           !enough || force.springs}};
 }
 
 // "Motors: M 65.8 N over 85.9 mm, M2 40.0 N over 21.3 mm"

@@ -13,6 +13,7 @@
 #include "core/motor_sides.hpp"
 #include "core/notation.hpp"
 #include "reports/document/document.hpp"
+#include "reports/motor_words.hpp"
 #include "studies/shown_hand.hpp"
 #include "tests/support/example_hand.hpp"
 #include "tests/support/has.hpp"
@@ -119,6 +120,20 @@ TEST(HandSections, HaveAColumnForEachOfSeveralMotorsAndNoPartsOfTheirWork) {
   EXPECT_TRUE(motor["friction_J"].is_null());
   EXPECT_TRUE(motor["fingers_J"].is_null());
   EXPECT_TRUE(motor["work_J"].is_number());
+}
+
+TEST(MotorLines, SayThatAStrokeLeavesOutTheStretchOfSprings) {
+  MotorParts motor;
+  motor.stroke_mm = 40;
+  MotorForce force{.nominal_N = 50, .p95_N = 60, .draws = 10, .stroke_mm = 30, .springs = true};
+  const auto line = [&] { return reports::motor_lines(force, motor).at(1); };
+  EXPECT_EQ(line().text,
+            "The motor's stroke of 40 mm is enough, if springs in series do not stretch: 75.0 % "
+            "of it is needed");
+  EXPECT_TRUE(line().caveat);
+  force.springs = false;
+  EXPECT_EQ(line().text, "The motor's stroke of 40 mm is enough: 75.0 % of it is needed");
+  EXPECT_FALSE(line().caveat);
 }
 
 // The tendon without a finger is tied at both ends.
