@@ -148,6 +148,26 @@ std::vector<DocumentLine> opening_lines(const ExploreReport& report) {
   return lines;
 }
 
+// If the best design asks for more than the motor has, the limits that nobody has asked for.
+std::vector<DocumentLine> limit_lines(const ExploreReport& report) {
+  if (!report.motor) return {};
+  const MotorParts& motor = report.options.model.hardware.motor;
+  bool is_missed = false;
+  std::string options;
+  const auto add = [&](Objective objective, const std::optional<double>& limit, double asked) {
+    const auto is_of_it = [&](const Constraint& constraint) {
+      return constraint.objective == objective;
+    };
+    if (!limit || std::ranges::any_of(report.options.constraints, is_of_it)) return;
+    is_missed |= asked > *limit;
+    options += fmt::format(" --constraint '{}<={}'", row(objective).name, *limit);
+  };
+  add(Objective::motor_force, motor.force_N, report.motor->nominal_N);
+  add(Objective::stroke, motor.stroke_mm, report.motor->stroke_mm);
+  if (!is_missed) return {};
+  return {{"Designs for this motor alone:" + options}};
+}
+
 Section answer_section(const ExploreReport& report) {
   std::vector<DocumentLine> lines = target_lines(report.target);
   const bool has_target = !lines.empty();
@@ -157,6 +177,7 @@ Section answer_section(const ExploreReport& report) {
   append(lines, best);
   const MotorParts& motor = report.options.model.hardware.motor;
   append(lines, motor_lines(report.motor, motor));
+  append(lines, limit_lines(report));
   append(lines, robust_lines(report.robust_first));
   append(lines, shared_first_lines(report.top));
   return {"", std::nullopt, lines};

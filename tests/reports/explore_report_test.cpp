@@ -34,6 +34,24 @@ TEST(ExploreDocument, SaysThatSeveralMotorsCountAsOneMachine) {
   EXPECT_TRUE(testing::has(text(explore_document(report)), note));
 }
 
+TEST(ExploreDocument, ShowsHowToAskForDesignsOfTheMotorAlone) {
+  ExploreReport report;
+  report.options.grasps = single_grasps(2);
+  report.options.model.hardware.motor.force_N = 60;
+  report.options.model.hardware.motor.stroke_mm = 40;
+  report.motor = MotorForce{.nominal_N = 50, .p95_N = 90, .draws = 10, .stroke_mm = 30};
+  const auto said = [&](const std::string& options) {
+    return testing::has(text(explore_document(report)), "Designs for this motor alone:" + options);
+  };
+  EXPECT_FALSE(said(""));
+  report.motor->nominal_N = 70;
+  EXPECT_TRUE(said(" --constraint 'motor_force<=60' --constraint 'stroke<=40'\n"));
+  report.options.constraints = {parse_constraint("motor_force<=70")};
+  EXPECT_FALSE(said(""));
+  report.motor->stroke_mm = 41;
+  EXPECT_TRUE(said(" --constraint 'stroke<=40'\n"));
+}
+
 TEST(ExploreDocument, PutsEachGeneratedRoutingInOneClass) {
   ExploreReport report;
   report.options.grasps = single_grasps(2);
