@@ -41,10 +41,9 @@ struct DiagnoseOptions : DiagnosisSettings {
   int threads = 0;
   // To choose the next measurement from, beside those of the data.
   std::vector<MeasurableRouting> routings;
-  // Called now and then; returns whether to stop. Stage by stage, since the length is not known.
-  std::function<bool(const char* stage)> stage;
-  // Asked within stages, too, and by any thread.
-  const std::atomic<bool>* stop = nullptr;
+  // Called as each stage begins: how long they take is not known.
+  std::function<void(const char* stage)> stage;
+  const std::atomic<bool>* stop = nullptr;  // set by any thread, it ends the diagnosis
 };
 
 // Random draws depend on the numbers of runs and readings. For the same result from the same rows

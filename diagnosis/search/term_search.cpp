@@ -49,27 +49,26 @@ class Searching {
     search_.reshape(result_.base);
   }
 
-  bool find(const std::function<bool(const char*)>& stop) {
+  void find(const std::function<void(const char*)>& stage) {
     std::set<std::set<std::string>> met;  // a term may be accepted and lose its place at once
     while (accepted().size() < result_.most_causes && met.insert(names(accepted())).second) {
-      if (stop("searching for causes")) return false;
+      stage("searching for causes");
       if (!accept_best()) break;
       drop_superfluous(search_);
       for (std::size_t c = 0; c + 1 < accepted().size() && !words_.effort.level; ++c) {
-        if (stop("weighing other causes")) return false;
+        stage("weighing other causes");
         defend(search_, words_, c);
       }
       move_steps();
     }
     for (std::size_t c = 0; c < accepted().size() && !words_.effort.level; ++c) {
-      if (stop("weighing other causes")) return false;
+      stage("weighing other causes");
       defend(search_, words_, c);
     }
     if (!words_.effort.level) drop_superfluous(search_);
     for (std::size_t c = 0; c < accepted().size(); ++c) {
       accepted()[c].evidence = search_.now.evidence - search_.without_term(c).evidence;
     }
-    return true;
   }
 
   Explanation take() {
@@ -318,8 +317,8 @@ TermSearch::TermSearch(const Dataset& dataset, const Model& nominal,
   std::tie(coefficients_, causes_) = parted(candidates, nominal.hardware);
 }
 
-std::optional<Explanation> TermSearch::run(const std::function<bool(const char*)>& stop) {
-  if (stop("calibrating coefficients")) return std::nullopt;
+Explanation TermSearch::run(const std::function<void(const char*)>& stage) {
+  stage("calibrating coefficients");
   screened_.reserve(static_cast<std::size_t>(most_terms) + 2);
   const auto screened = [&](const Model& model, std::size_t step) -> const Screened& {
     if (step >= screened_.size() && screened_.size() < screened_.capacity()) {
@@ -333,17 +332,16 @@ std::optional<Explanation> TermSearch::run(const std::function<bool(const char*)
     auto search = std::make_unique<Searching>(
         dataset_, Vocabulary{causes_, options_.terms, effort, screened}, options, workers_);
     search->calibrate(nominal_, coefficients_);
-    return search->find(stop) ? std::move(search) : nullptr;
+    search->find(stage);
+    return search;
   };
   auto best = searched({}, options_);
-  if (!best) return std::nullopt;
   // A law that follows what two causes do together is accepted before either of them. Names that
   // are no more than the terms found are looked for by themselves.
   if (best->has_laws()) {
     TermSearchOptions no_more = options_;
     no_more.most_causes = best->terms();
     auto names = searched({.laws = 0}, no_more);
-    if (!names) return std::nullopt;
     if (names->evidence() > best->evidence()) best = std::move(names);
   }
   level_ = best->level();
@@ -362,7 +360,7 @@ Explanation TermSearch::run_on(const Dataset& part, Workers& workers) const {
   const Effort quick{4, 2, 3, level_, has_a_fault};
   Searching searching(part, {causes_, options_.terms, quick, screened}, options_, workers);
   searching.calibrate(nominal_, coefficients_);
-  searching.find([](const char*) { return false; });
+  searching.find([](const char*) {});
   searching.compare_with(model_, accepted_);
   return searching.take();
 }

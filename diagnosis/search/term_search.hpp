@@ -63,8 +63,8 @@ class TermSearch {
   TermSearch(const Dataset& dataset, const Model& nominal, const std::vector<Candidate>& candidates,
              const TermSearchOptions& options, Workers& workers);
 
-  // Returns nothing if it was stopped; `stop` is called with the name of each stage.
-  std::optional<Explanation> run(const std::function<bool(const char*)>& stop);
+  // `stage` is called with the name of each stage.
+  Explanation run(const std::function<void(const char*)>& stage);
 
   // The same search on some of the runs, by the columns that `run` has made. Any thread may.
   Explanation run_on(const Dataset& part, Workers& workers) const;

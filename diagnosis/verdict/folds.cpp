@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "causes/term.hpp"
 #include "diagnosis/search/defence.hpp"
 
 namespace reeve::diagnosis {
-namespace {
 
 using Eigen::Index;
-
-}  // namespace
 
 std::vector<std::size_t> readings_in(const Dataset& part) {
   std::vector<std::size_t> readings;
@@ -32,11 +31,9 @@ std::vector<std::size_t> dealt_runs(const MeasuredData& data,
   return fold;
 }
 
-std::optional<std::vector<Fold>> cross_validated(const MeasuredData& data,
-                                                 const std::vector<std::size_t>& readings,
-                                                 const Model& nominal, const TermSearch& search,
-                                                 Workers& workers,
-                                                 const std::function<bool()>& stop) {
+std::vector<Fold> cross_validated(const MeasuredData& data,
+                                  const std::vector<std::size_t>& readings, const Model& nominal,
+                                  const TermSearch& search, Workers& workers) {
   std::vector<Fold> result;
   std::vector<std::size_t> runs;
   for (const std::size_t i : readings) runs.push_back(data.readings[i].run);
@@ -45,7 +42,6 @@ std::optional<std::vector<Fold>> cross_validated(const MeasuredData& data,
   if (runs.size() < 2) return result;
   const std::size_t folds = std::min(most_folds, runs.size());
   const std::vector<std::size_t> fold_of = dealt_runs(data, readings, folds);
-  if (stop()) return std::nullopt;
   std::vector<std::optional<Fold>> searched(folds);
   workers.for_each_block(folds, 1, [&](const IndexBlock& block) {
     std::vector<std::size_t> seen, unseen;

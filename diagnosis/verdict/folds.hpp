@@ -8,9 +8,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "diagnosis/search/term_search.hpp"
@@ -36,12 +33,10 @@ std::vector<std::size_t> readings_in(const Dataset& part);
 std::vector<std::size_t> dealt_runs(const MeasuredData& data,
                                     const std::vector<std::size_t>& readings, std::size_t folds);
 
-// Fewer than two runs give no folds. Returns nothing if it was stopped.
-std::optional<std::vector<Fold>> cross_validated(const MeasuredData& data,
-                                                 const std::vector<std::size_t>& readings,
-                                                 const Model& nominal, const TermSearch& search,
-                                                 Workers& workers,
-                                                 const std::function<bool()>& stop);
+// Fewer than two runs give no folds.
+std::vector<Fold> cross_validated(const MeasuredData& data,
+                                  const std::vector<std::size_t>& readings, const Model& nominal,
+                                  const TermSearch& search, Workers& workers);
 
 // True if a fold's own term is this cause, another form of its law, or one of its alternatives.
 bool stands_for(const Effect& found, const AcceptedTerm& cause);

@@ -175,11 +175,8 @@ class OutlierChances {
 
 class OutlierFinder {
  public:
-  OutlierFinder(const OutlierSearch& search, Workers& workers, const std::function<bool()>& stop)
-      : search_(search),
-        workers_(workers),
-        stop_(stop),
-        limit_(structure_share_of_alpha * search.alpha) {
+  OutlierFinder(const OutlierSearch& search, Workers& workers)
+      : search_(search), workers_(workers), limit_(structure_share_of_alpha * search.alpha) {
     add(search.training);
     if (search.held_out != nullptr) add(*search.held_out);
     for (const Part& part : parts_) {
@@ -232,16 +229,9 @@ class OutlierFinder {
       mountings.emplace_back(*part.problem->dataset, search_.model, search_.mounting);
     }
     rarest_drawn_.assign(search_.replicates.count, 1);
-    constexpr std::size_t between_questions = 256;
-    for (std::size_t first = 0; first < rarest_drawn_.size(); first += between_questions) {
-      if (stop_()) return;
-      const std::size_t size = std::min(between_questions, rarest_drawn_.size() - first);
-      workers_.for_each_block(size, 1, [&](const IndexBlock& block) {
-        for (std::size_t i = block.begin; i < block.end; ++i) {
-          rarest_drawn_[first + i] = rarest_of(mountings, first + i);
-        }
-      });
-    }
+    workers_.for_each_block(rarest_drawn_.size(), 1, [&](const IndexBlock& block) {
+      rarest_drawn_[block.begin] = rarest_of(mountings, block.begin);
+    });
   }
 
   double rarest_of(const std::vector<MountedDraws>& mountings, std::size_t replicate) const {
@@ -328,7 +318,6 @@ class OutlierFinder {
 
   const OutlierSearch& search_;
   Workers& workers_;
-  const std::function<bool()>& stop_;
   OutlierChances chances_;
   double limit_;
   std::vector<Part> parts_;
@@ -352,9 +341,8 @@ OutlierSides outlier_sides(const std::vector<JudgedCell>& far) {
   return sides;
 }
 
-OutlierReadings outlier_readings_together(const OutlierSearch& search, Workers& workers,
-                                          const std::function<bool()>& stop) {
-  return OutlierFinder(search, workers, stop).find();
+OutlierReadings outlier_readings_together(const OutlierSearch& search, Workers& workers) {
+  return OutlierFinder(search, workers).find();
 }
 
 bool keep_to_something(const OutlierReadings& found) {
