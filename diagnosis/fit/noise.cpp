@@ -24,10 +24,10 @@ constexpr double enough_within_runs = 15;
 Noise fit(const Dataset& dataset, const std::vector<ScatterSample>& samples, NoiseSource source) {
   if (samples.empty()) return {0, 0, NoiseSource::known, 0, true, {}};
   // Residuals of a model that is wrong are of many sizes, too.
-  ScatterFit found = source == NoiseSource::residuals ? scatter_of_all(dataset, samples)
-                                                      : likeliest_scatter(dataset, samples);
-  return {found.relative, found.absolute_N,         source, degrees(samples),
-          true,           std::move(found.of_group)};
+  Noise noise = source == NoiseSource::residuals ? scatter_of_all(dataset, samples)
+                                                 : likeliest_scatter(dataset, samples);
+  noise.source = source;
+  return noise;
 }
 
 // Nothing if too few readings tell.
