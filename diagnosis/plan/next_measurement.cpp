@@ -236,12 +236,8 @@ double width(const MatrixXd& information, Index parameter) {
   return 2 * normal_quantile * std::sqrt(std::max(column[parameter], 0.0));
 }
 
-}  // namespace
-
-std::optional<PlannedMeasurement> separating_measurement(const MeasurementPlan& plan,
-                                                         const Model& a, const std::string& name_a,
-                                                         const Model& b,
-                                                         const std::string& name_b) {
+std::optional<PlannedMeasurement> separating(const MeasurementPlan& plan, const Model& a,
+                                             const Model& b) {
   std::optional<PlannedMeasurement> best;
   for_each_measurement(plan, [&](const Reader& reader, const Measurement& at) {
     const VectorXd first = reader(a, at.grasp, at.direction, at.conditions);
@@ -260,14 +256,38 @@ std::optional<PlannedMeasurement> separating_measurement(const MeasurementPlan& 
     best->expected = expected_readings(reader, first, second, sd);
     mark_conditions(reader, {&a, &b}, best->measurement);
   });
-  if (best) {
-    best->between = {name_a, name_b};
-    best->why = fmt::format(
+  return best;
+}
+
+}  // namespace
+
+MeasurementPlan measurement_plan(const MeasuredData& data,
+                                 const std::vector<MeasurableRouting>& further,
+                                 const Noise& noise) {
+  MeasurementPlan plan{&data, {}, noise};
+  const auto add = [&](const MeasurableRouting& routing) {
+    const auto known = std::ranges::find(plan.routings, routing.word, &MeasurableRouting::word);
+    if (known == plan.routings.end()) plan.routings.push_back(routing);
+  };
+  for (const MeasuredRouting& measured : data.routings) add({measured.word, measured.routing});
+  for (const MeasurableRouting& routing : further) add(routing);
+  return plan;
+}
+
+std::optional<PlannedMeasurement> separating_measurement(const MeasurementPlan& plan,
+                                                         const std::vector<Model>& models,
+                                                         const std::vector<std::string>& names) {
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    auto found = separating(plan, models[0], models[i]);
+    if (!found) continue;
+    found->between = {names[0], names[i]};
+    found->why = fmt::format(
         "{} and {} predict different tensions there: {} readings are expected to favour "
         "the right one by {:.3g} nats",
-        name_a, name_b, planned_readings, best->expected_log_likelihood);
+        names[0], names[i], planned_readings, found->expected_log_likelihood);
+    return found;
   }
-  return best;
+  return std::nullopt;
 }
 
 std::optional<PlannedMeasurement> shrinking_measurement(const MeasurementPlan& plan,
