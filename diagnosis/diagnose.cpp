@@ -14,9 +14,8 @@
 #include "diagnosis/diagnosis_result.hpp"
 #include "diagnosis/fit/intervals.hpp"
 #include "diagnosis/fit/problem.hpp"
-#include "diagnosis/plan/power.hpp"
+#include "diagnosis/plan/next_measurement.hpp"
 #include "diagnosis/search/candidates.hpp"
-#include "diagnosis/search/term_search.hpp"
 #include "diagnosis/verdict/confirmation.hpp"
 #include "diagnosis/verdict/explained.hpp"
 #include "diagnosis/verdict/model_doubts.hpp"
@@ -73,8 +72,7 @@ class Diagnosis {
     candidates_ = candidates(survey(data_), nominal_.hardware, force_scale(data_));
     if (sample_.training.degrees_of_freedom() < too_few_degrees) {
       note_too_few();
-      found_ =
-          nothing_explained(sample_.training, nominal_, candidates_, search_options(), workers_);
+      found_ = nothing_explained(sample_.training, nominal_, candidates_, options_, workers_);
       take_over_found();
     } else {
       find_causes();
@@ -156,19 +154,14 @@ class Diagnosis {
          {}});
   }
 
-  TermSearchOptions search_options() const {
-    return {options_.alpha, options_.most_causes, options_.mounting_scatter, options_.terms};
-  }
-
   void find_causes() {
-    const TermSearchOptions options = search_options();
-    TermSearch search(sample_.training, nominal_, candidates_, options, workers_);
+    TermSearch search(sample_.training, nominal_, candidates_, options_, workers_);
     found_ = search.run([this](const char* stage) { begin(stage); });
     begin("repeating the search by folds");
     std::vector<Fold> folds =
         cross_validated(data_, readings_in(sample_.training), nominal_, search, workers_);
     result_.folds = folds.size();
-    confirmation_.emplace(sample_.training, nominal_, options, std::move(folds), found_, workers_);
+    confirmation_.emplace(sample_.training, nominal_, options_, std::move(folds), found_, workers_);
     result_.not_confirmed = confirmation_->remove_the_others();
   }
 
@@ -501,7 +494,7 @@ class Diagnosis {
   bool too_few_ = false;
   Model nominal_;
   Explanation found_;
-  std::vector<Candidate> candidates_;
+  std::vector<Effect> candidates_;
   std::optional<Confirmation> confirmation_;
   std::vector<Model> alias_models_;  // models of the first causes that cannot be told apart
   DiagnosisResult result_;

@@ -20,21 +20,16 @@
 
 #include "causes/model.hpp"
 #include "diagnosis/diagnosis_result.hpp"
+#include "diagnosis/search/term_search.hpp"
 #include "readings/measured_data.hpp"
 
 namespace reeve::diagnosis {
 
 // Settings that determine the result, besides the data and the hardware.
-struct DiagnosisSettings {
-  double alpha = 0.02;
+struct DiagnosisSettings : TermSearchOptions {
   double hold_out = 0;  // share of the runs that are sealed for a last test
   std::uint64_t seed = 1;
   std::size_t replicates = 1000;
-  std::optional<std::size_t> most_causes;  // beside coefficients; none: as many as the data carry
-  // Relative standard deviation of friction exponents from mounting to mounting, if it is known.
-  std::optional<double> mounting_scatter;
-  // Laws that are looked for as those that the library has a name for, from these values on.
-  std::vector<Effect> terms{};
 };
 
 struct DiagnoseOptions : DiagnosisSettings {

@@ -38,7 +38,7 @@ class Searching {
     result_.most_causes = options.most_causes.value_or(carried_terms(dataset));
   }
 
-  void calibrate(const Model& nominal, const std::vector<Candidate>& coefficients) {
+  void calibrate(const Model& nominal, const std::vector<Effect>& coefficients) {
     result_.base = nominal;
     // The rounds fit what readings weigh, and then what fits them.
     for (int round = 0; round < 2; ++round) {
@@ -72,11 +72,10 @@ class Searching {
   }
 
   Explanation take() {
-    result_.shape = search_.shape;
     result_.accepted = search_.accepted;
     result_.model = search_.now.model;
     result_.problem = search_.now.likelihood.problem;
-    result_.scatter = fitted_scatter(result_.shape, search_.now.likelihood);
+    result_.scatter = fitted_scatter(search_.shape, search_.now.likelihood);
     result_.calibrations =
         calibrations(result_.problem, result_.model, result_.mounting_degrees(), alpha_);
     result_.instead.resize(result_.calibrations.size());
@@ -184,7 +183,7 @@ class Searching {
       accepted().push_back(ways[i].term);
       search_.settle(ways[i].model);
       if (search_.now.evidence >= before.evidence + least_evidence) {
-        look_again({ways.begin() + static_cast<std::ptrdiff_t>(i), ways.end()}, rise);
+        look_again({ways.begin() + static_cast<std::ptrdiff_t>(i), ways.end()}, before.evidence);
         free_crossing();
         return true;
       }
@@ -197,13 +196,11 @@ class Searching {
 
   // Seen with the scatter that the accepted term leaves, a near one may be likelier: where a
   // contact rubs more than was thought, its mountings differ more, too.
-  void look_again(const std::vector<Scored>& ways, double rise) {
+  void look_again(const std::vector<Scored>& ways, double from) {
     constexpr std::size_t looked_at = 5;
-    constexpr double near = 0.2;
-    constexpr double at_least = 10;
     constexpr double hardly = 0.01;  // scatter of the ends of fits
     for (std::size_t i = 1; i < std::min(looked_at, ways.size()); ++i) {
-      if (ways[i].evidence < ways[0].evidence - std::max(at_least, near * rise)) return;
+      if (!is_near(ways[i].evidence, ways[0].evidence, from)) return;
       const AcceptedTerm own = std::exchange(accepted().back(), ways[i].term);
       Scored other = search_.fitted(ways[i].model);
       if (other.evidence > search_.now.evidence + hardly) {
@@ -288,11 +285,11 @@ class Searching {
 };
 
 // Coefficients that are free in every model, and what is searched.
-std::pair<std::vector<Candidate>, std::vector<Candidate>> parted(
-    const std::vector<Candidate>& candidates, const Hardware& hardware) {
-  std::pair<std::vector<Candidate>, std::vector<Candidate>> parts;
-  for (const Candidate& candidate : candidates) {
-    const bool is_open = is_open_coefficient(candidate.effect, hardware);
+std::pair<std::vector<Effect>, std::vector<Effect>> parted(const std::vector<Effect>& candidates,
+                                                           const Hardware& hardware) {
+  std::pair<std::vector<Effect>, std::vector<Effect>> parts;
+  for (const Effect& candidate : candidates) {
+    const bool is_open = is_open_coefficient(candidate, hardware);
     (is_open ? parts.first : parts.second).push_back(candidate);
   }
   return parts;
@@ -311,7 +308,7 @@ double Explanation::mounting_degrees() const {
 }
 
 TermSearch::TermSearch(const Dataset& dataset, const Model& nominal,
-                       const std::vector<Candidate>& candidates, const TermSearchOptions& options,
+                       const std::vector<Effect>& candidates, const TermSearchOptions& options,
                        Workers& workers)
     : dataset_(dataset), nominal_(nominal), options_(options), workers_(workers) {
   std::tie(coefficients_, causes_) = parted(candidates, nominal.hardware);
@@ -366,7 +363,7 @@ Explanation TermSearch::run_on(const Dataset& part, Workers& workers) const {
 }
 
 Explanation nothing_explained(const Dataset& dataset, const Model& nominal,
-                              const std::vector<Candidate>& candidates,
+                              const std::vector<Effect>& candidates,
                               const TermSearchOptions& options, Workers& workers) {
   const auto [coefficients, causes] = parted(candidates, nominal.hardware);
   Searching searching(dataset, {causes, options.terms}, options, workers);
@@ -376,7 +373,7 @@ Explanation nothing_explained(const Dataset& dataset, const Model& nominal,
 
 Explanation without_term(const Dataset& dataset, const Explanation& found, std::size_t cause,
                          const TermSearchOptions& options, Workers& workers) {
-  const std::vector<Candidate> none;
+  const std::vector<Effect> none;
   Searching searching(dataset, {none, options.terms}, options, workers);
   searching.go_on_without(found, cause);
   return searching.take();

@@ -84,12 +84,13 @@ double share_of_folds(const std::vector<Fold>& folds, const AcceptedTerm& cause,
          static_cast<double>(folds.size());
 }
 
-Forecast joined(const std::vector<Fold>& folds, const Dataset& all, Forecast Fold::*of) {
+Forecast joined(const std::vector<Fold>& folds, const Dataset& all,
+                const std::function<Forecast(const Fold&)>& of) {
   Forecast result{Eigen::VectorXd::Zero(static_cast<Index>(all.cells.size())),
                   Eigen::VectorXd::Zero(static_cast<Index>(all.cells.size())),
                   std::vector<bool>(all.rows.size(), false)};
   for (const Fold& fold : folds) {
-    const Forecast& own = fold.*of;
+    const Forecast own = of(fold);
     const std::vector<Index> cells = cells_of_part(all, fold.unseen);
     result.reading_N(cells) = own.reading_N;
     result.by_scale(cells) = own.by_scale;

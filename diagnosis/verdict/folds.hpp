@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "diagnosis/search/term_search.hpp"
@@ -46,6 +47,7 @@ bool stands_for(const Effect& found, const AcceptedTerm& cause);
 double share_of_folds(const std::vector<Fold>& folds, const AcceptedTerm& cause, std::size_t place);
 
 // Forecasts of all readings, each by its fold.
-Forecast joined(const std::vector<Fold>& folds, const Dataset& all, Forecast Fold::*of);
+Forecast joined(const std::vector<Fold>& folds, const Dataset& all,
+                const std::function<Forecast(const Fold&)>& of);
 
 }  // namespace reeve::diagnosis
