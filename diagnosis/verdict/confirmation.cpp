@@ -14,15 +14,6 @@ bool is_of_a_group(const AcceptedTerm& accepted) {
   return term != nullptr && !term->site.group.empty();
 }
 
-std::vector<std::size_t> readings_beside(const Dataset& all, const Fold& fold) {
-  const std::vector<std::size_t> own = readings_in(fold.unseen);
-  std::vector<std::size_t> others;
-  for (const std::size_t i : readings_in(all)) {
-    if (!std::ranges::binary_search(own, i)) others.push_back(i);
-  }
-  return others;
-}
-
 }  // namespace
 
 std::string run_apart(const AcceptedTerm& accepted) {
@@ -107,8 +98,7 @@ void Confirmation::keep_what_is_named() {
         of_fold.push_back(accepted);
       }
     }
-    const Dataset training = dataset(*training_.data, readings_beside(training_, fold));
-    fold.found.model = fit(problem(training, fold.found.scatter, model, workers_), model).model;
+    fold.found.model = fit(problem(fold.seen, fold.found.scatter, model, workers_), model).model;
     fold.forecast = try_forecast(fold.unseen, fold.found.model).value_or(fold.base);
   }
   without_.clear();
@@ -154,8 +144,7 @@ const Forecast& Confirmation::without(const std::string& name) {
   const auto of_fold = [&](const Fold& fold) {
     const std::string its = its_name_in(fold.found.model, name);
     if (its.empty()) return fold.forecast;
-    const Dataset training = dataset(*training_.data, readings_beside(training_, fold));
-    const Problem seen = problem(training, fold.found.scatter, fold.found.model, workers_);
+    const Problem seen = problem(fold.seen, fold.found.scatter, fold.found.model, workers_);
     return try_forecast(fold.unseen, fitted_without(seen, fold.found.model, its))
         .value_or(fold.nominal);
   };

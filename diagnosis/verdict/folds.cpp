@@ -48,15 +48,14 @@ std::vector<Fold> cross_validated(const MeasuredData& data,
     for (const std::size_t i : readings) {
       (fold_of[data.readings[i].run] == block.begin ? unseen : seen).push_back(i);
     }
-    const Dataset training = dataset(data, seen);
-    Fold fold{dataset(data, unseen), {}, {}, {}, {}};
-    if (fold.unseen.cells.empty() || training.cells.empty()) return;
+    Fold fold{dataset(data, unseen), dataset(data, seen), {}, {}, {}, {}};
+    if (fold.unseen.cells.empty() || fold.seen.cells.empty()) return;
     Workers alone(1);
-    fold.found = search.run_on(training, alone);
+    fold.found = search.run_on(fold.seen, alone);
     fold.nominal = forecast(fold.unseen, nominal);
     fold.base = try_forecast(fold.unseen, fold.found.base).value_or(fold.nominal);
     fold.forecast = try_forecast(fold.unseen, fold.found.model).value_or(fold.base);
-    // The results refer to the training set, which ends here.
+    // It refers to a dataset that is about to move.
     fold.found.problem.dataset = nullptr;
     searched[block.begin] = std::move(fold);
   });

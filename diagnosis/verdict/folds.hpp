@@ -17,9 +17,10 @@ namespace reeve::diagnosis {
 
 inline constexpr std::size_t most_folds = 5;
 
-// A fold's own readings, and what was found without them.
+// A fold's own readings, and what was found in the others.
 struct Fold {
   Dataset unseen;
+  Dataset seen;
   Explanation found;
   // The forecasts are of its own readings.
   Forecast nominal;
