@@ -42,7 +42,7 @@ struct DiagnoseOptions : DiagnosisSettings {
 };
 
 // Random draws depend on the numbers of runs and readings. For the same result from the same rows
-// in any order, put them in a fixed order first (data/row_order.hpp). Returns nothing if it was
+// in any order, put them in a fixed order first (readings/row_order.hpp). Returns nothing if it was
 // stopped. Throws InputError if no row can be compared, or if one of the options' terms changes no
 // reading.
 std::optional<DiagnosisResult> diagnose_until(const MeasuredData& data, const Hardware& hardware,
