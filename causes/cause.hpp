@@ -7,6 +7,7 @@
 // whoever solves, fits, saves or prints models knows causes through this header only.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -46,6 +47,8 @@ struct Conditions {
 struct Range {
   double low = 0;
   double high = 0;
+
+  auto operator<=>(const Range&) const = default;
 };
 
 struct Parameter {

@@ -18,27 +18,25 @@ double factor(const Covariate& covariate, double x, double middle) {
   x = std::clamp(x, covariate.seen.low, covariate.seen.high);
   return covariate.logarithmic ? std::log(x / middle) : x - middle;
 }
-double factor(const Covariate& covariate, double x) {
-  return factor(covariate, x, covariate.middle);
+double reach_of(Covariate x, bool is_logarithmic) {
+  x.logarithmic = is_logarithmic;
+  return std::max(std::abs(factor(x, x.seen.low, x.middle)),
+                  std::abs(factor(x, x.seen.high, x.middle)));
 }
 
 // The greatest |f| for a = 1, so that the range of a is that of what it does.
 double reach_of(const Term& term) {
-  const double ends[] = {term.x.seen.low, term.x.seen.high};
+  const double span = term.x.seen.high - term.x.seen.low;
   switch (term.form) {
     case Form::linear:
-      return std::max(std::abs(ends[0] - term.x.middle), std::abs(ends[1] - term.x.middle));
     case Form::log:
-      return std::max(std::abs(std::log(ends[0] / term.x.middle)),
-                      std::abs(std::log(ends[1] / term.x.middle)));
+      return reach_of(term.x, term.form == Form::log);
     case Form::quadratic:
-      return std::pow(ends[1] - ends[0], 2) / 4;
+      return std::pow(span, 2) / 4;
     case Form::hinge:
-      return (ends[1] - ends[0]) / 2;
+      return span / 2;
     case Form::product:
-      return std::max(std::abs(factor(term.x, ends[0])), std::abs(factor(term.x, ends[1]))) *
-             std::max(std::abs(factor(term.y, term.y.seen.low)),
-                      std::abs(factor(term.y, term.y.seen.high)));
+      return reach_of(term.x, term.x.logarithmic) * reach_of(term.y, term.y.logarithmic);
     default:
       return 1;
   }
@@ -122,7 +120,38 @@ struct Crossing {
 };
 
 double value_of(const Term& term, double x, double y, const double* parameters,
-                const Crossing& crossing);
+                const Crossing& crossing) {
+  const double a = parameters[0];
+  if (term.form == Form::constant) return a;
+  x = std::clamp(x, term.x.seen.low, term.x.seen.high);
+  switch (term.form) {
+    case Form::linear:
+      return a * (x - crossing.x);
+    case Form::log:
+      return a * std::log(x / crossing.x);
+    case Form::power:
+      return a * (std::pow(x / crossing.x, parameters[1]) - 1);
+    case Form::scaling:
+      return a * std::pow(x / crossing.x, parameters[1]);
+    case Form::quadratic:
+      return a * (x - parameters[1]) * (x - parameters[1]);
+    case Form::exponential:
+      return a * (1 - std::exp(-x / parameters[1]));
+    case Form::hinge:
+      return a * std::max(0.0, x - parameters[1]);
+    case Form::step:
+      return x > parameters[1] ? a : 0;
+    case Form::sine: {
+      const double turn = 2 * std::numbers::pi * x / parameters[2];
+      return a * std::sin(turn) + parameters[1] * std::cos(turn);
+    }
+    case Form::product:
+      return a * factor(term.x, x, crossing.x) * factor(term.y, y, crossing.y);
+    case Form::constant:
+      break;
+  }
+  return a;
+}
 
 double sensor_covariate(const Covariate& x, std::span<Sensor> sensors, const Sensor& own,
                         const Conditions& conditions) {
@@ -256,73 +285,7 @@ std::optional<TermFault> fault(const Covariate& x, bool is_logarithmic) {
   return std::nullopt;
 }
 
-std::string key(const Covariate& x) {
-  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}", static_cast<int>(x.kind), x.column,
-                     static_cast<int>(x.segment.kind), x.segment.number, x.middle, x.seen.low,
-                     x.seen.high, x.logarithmic);
-}
-
-std::string key(const Term& term) {
-  const Site& site = term.site;
-  return fmt::format(
-      "{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", static_cast<int>(term.target),
-      static_cast<int>(term.form), static_cast<int>(site.place), static_cast<int>(site.kind),
-      site.with_sheaths, site.finger, site.at_fingers ? static_cast<int>(*site.at_fingers) : 2,
-      site.held ? static_cast<int>(*site.held) : 2,
-      site.direction ? static_cast<int>(*site.direction) : 2, site.routing,
-      site.number ? static_cast<int>(*site.number) : -1, static_cast<int>(site.channel.kind),
-      site.channel.number, site.run, site.group, key(term.x), key(term.y));
-}
-
-double value_of(const Term& term, double x, double y, const double* parameters,
-                const Crossing& crossing) {
-  const double a = parameters[0];
-  if (term.form == Form::constant) return a;
-  x = std::clamp(x, term.x.seen.low, term.x.seen.high);
-  switch (term.form) {
-    case Form::linear:
-      return a * (x - crossing.x);
-    case Form::log:
-      return a * std::log(x / crossing.x);
-    case Form::power:
-      return a * (std::pow(x / crossing.x, parameters[1]) - 1);
-    case Form::scaling:
-      return a * std::pow(x / crossing.x, parameters[1]);
-    case Form::quadratic:
-      return a * (x - parameters[1]) * (x - parameters[1]);
-    case Form::exponential:
-      return a * (1 - std::exp(-x / parameters[1]));
-    case Form::hinge:
-      return a * std::max(0.0, x - parameters[1]);
-    case Form::step:
-      return x > parameters[1] ? a : 0;
-    case Form::sine: {
-      const double turn = 2 * std::numbers::pi * x / parameters[2];
-      return a * std::sin(turn) + parameters[1] * std::cos(turn);
-    }
-    case Form::product:
-      return a * factor(term.x, x, crossing.x) * factor(term.y, y, crossing.y);
-    case Form::constant:
-      break;
-  }
-  return a;
-}
-
 }  // namespace
-
-std::size_t parameter_count(Form form) {
-  switch (form) {
-    case Form::constant:
-    case Form::linear:
-    case Form::log:
-    case Form::product:
-      return 1;
-    case Form::sine:
-      return 3;
-    default:
-      return 2;
-  }
-}
 
 double covariate_value(const Covariate& covariate, const Conditions& conditions, double high_N) {
   switch (covariate.kind) {
@@ -415,9 +378,9 @@ namespace {
 
 const Law& interned(const Term& term, bool is_crossing_free) {
   static std::mutex mutex;
-  static std::map<std::pair<std::string, bool>, std::unique_ptr<const Law>> laws;
+  static std::map<std::pair<Term, bool>, std::unique_ptr<const Law>> laws;
   const std::lock_guard<std::mutex> lock(mutex);
-  std::unique_ptr<const Law>& found = laws[{key(term), is_crossing_free}];
+  std::unique_ptr<const Law>& found = laws[{term, is_crossing_free}];
   if (!found) found = std::make_unique<const Law>(term, is_crossing_free);
   return *found;
 }

@@ -20,6 +20,7 @@
 // called a law.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -50,6 +51,8 @@ struct Site {
   Segment channel{};                     // channel
   std::string run{};                     // in this one only
   std::string group{};                   // in this one only
+
+  auto operator<=>(const Site&) const = default;
 };
 
 enum class CovariateKind : std::uint8_t {
@@ -70,6 +73,8 @@ struct Covariate {
   double middle = 0;   // x0
   Range seen;
   bool logarithmic = false;  // in a product
+
+  auto operator<=>(const Covariate&) const = default;
 };
 // True if the tensions themselves say it, and no setting or record.
 inline bool is_of_tensions(const Covariate& covariate) {
@@ -97,8 +102,6 @@ enum class Form : std::uint8_t {
 const char* form_name(Form form);
 std::optional<Form> form_named(const std::string& name);
 std::string form_names();
-// Returns the number of its parameters. The first of them is 0 if the term changes nothing.
-std::size_t parameter_count(Form form);
 
 struct Term {
   Target target = Target::exponent;
@@ -106,9 +109,12 @@ struct Term {
   Form form = Form::constant;
   Covariate x{};
   Covariate y{};  // product
+
+  auto operator<=>(const Term&) const = default;
 };
 
-// f, of the parameters in the order of the form.
+// f, of the parameters in the order of the form. The first of them is 0 if the term changes
+// nothing.
 double law_value(const Term& term, double x, double y, const double* parameters);
 // x as the readings' conditions say it; x0 where they do not. `high_N` stands for the load.
 double covariate_value(const Covariate& covariate, const Conditions& conditions, double high_N);

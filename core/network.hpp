@@ -45,6 +45,9 @@ struct Segment {
   friend bool operator==(const Segment& a, const Segment& b) {
     return a.kind == b.kind && a.number == b.number;
   }
+  friend auto operator<=>(const Segment& a, const Segment& b) {
+    return a.kind == b.kind ? a.number <=> b.number : a.kind <=> b.kind;
+  }
 };
 
 // A block's sheave turns on a bearing of its own law; a bar has no friction.

@@ -50,7 +50,7 @@ struct Sample : SampleCounts {
   Dataset held_out;
 };
 
-// `share` of the runs is held out (run_split.hpp). Throws InputError if no row can be compared.
+// `share` of the runs is held out. Throws InputError if no row can be compared.
 // `data` must outlive the sample.
 Sample sample(const MeasuredData& data, double share, std::uint64_t seed);
 

@@ -1,6 +1,6 @@
 // Measured tensions beside those of the nominal model: nothing is fitted, nothing is tuned.
 //
-// Let p_i be the forecast of what segment i's sensor reads (model/forecast.hpp), in the row's
+// Let p_i be the forecast of what segment i's sensor reads (fit/forecast.hpp), in the row's
 // routing, grasp and direction.
 //   with motor_tension_N     every measured segment: T_i in newton beside p_i
 //   without                  the measured strands: the share T_i / Σ T beside p_i / Σ p, both sums

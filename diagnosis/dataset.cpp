@@ -143,8 +143,8 @@ Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readin
     std::vector<Cell> cells;
     for (std::size_t c = 0; c < data.channels.size(); ++c) {
       if (!reading.tension_N[c]) continue;
-      cells.push_back(
-          {index, c, *data.routings[reading.routing].segments[c], *reading.tension_N[c]});
+      cells.push_back({index, c, *data.routings[reading.routing].segments[c], *reading.tension_N[c],
+                       result.rows.size()});
     }
     if (rows == Rows::that_say_something && !says_something(cells, reading)) continue;
     const Key key{reading.routing, reading.grasp.held, reading.direction, reading.sheath_angle_rad};

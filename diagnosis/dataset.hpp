@@ -17,6 +17,7 @@ struct Cell {
   std::size_t channel = 0;  // in MeasuredData::channels
   std::size_t segment = 0;  // in the routing's network
   double measured_N = 0;
+  std::size_t row = 0;  // in the dataset
 };
 
 // One reading that is compared: cells first … last - 1.

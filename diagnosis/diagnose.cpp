@@ -14,9 +14,8 @@
 #include "diagnosis/diagnosis_result.hpp"
 #include "diagnosis/fit/intervals.hpp"
 #include "diagnosis/fit/problem.hpp"
-#include "diagnosis/plan/power.hpp"
+#include "diagnosis/plan/next_measurement.hpp"
 #include "diagnosis/search/candidates.hpp"
-#include "diagnosis/search/term_search.hpp"
 #include "diagnosis/verdict/confirmation.hpp"
 #include "diagnosis/verdict/explained.hpp"
 #include "diagnosis/verdict/model_doubts.hpp"
@@ -68,23 +67,24 @@ class Diagnosis {
     note_what_the_model_doubts();
   }
 
-  std::optional<DiagnosisResult> run() {
+  DiagnosisResult run() {
     require_terms_to_show(options_.terms, sample_.training, nominal_);
     candidates_ = candidates(survey(data_), nominal_.hardware, force_scale(data_));
     if (sample_.training.degrees_of_freedom() < too_few_degrees) {
       note_too_few();
-      found_ =
-          nothing_explained(sample_.training, nominal_, candidates_, search_options(), workers_);
+      found_ = nothing_explained(sample_.training, nominal_, candidates_, options_, workers_);
       take_over_found();
     } else {
-      if (!find_causes()) return std::nullopt;
+      find_causes();
       take_over_found();
       state_gains();
-      if (!stopped("checking what is left")) check_residual_structure();
-      if (!stopped("looking for readings far off")) check_far_readings();
-      if (!stopped("comparing groups")) compare_groups();
+      begin("checking what is left");
+      check_residual_structure();
+      begin("looking for readings far off");
+      check_far_readings();
+      begin("comparing groups");
+      compare_groups();
     }
-    if (stop_) return std::nullopt;
     const auto intervals =
         parameter_intervals(found_.problem, found_.model, found_.mounting_degrees());
     const bool bends_are_recorded = std::ranges::any_of(data_.readings, [](const Reading& reading) {
@@ -94,7 +94,7 @@ class Diagnosis {
              bends_are_recorded);
     add_partial_residuals(intervals);
     note_runs_apart();
-    if (stopped("looking for leads")) return std::nullopt;
+    begin("looking for leads");
     find_leads();
     // If nothing is named, the hardware file stands, and its coefficients with it.
     if (result_.causes.empty()) {
@@ -103,9 +103,9 @@ class Diagnosis {
       result_.model.conditions = typical_conditions(data_, readings_used());
     }
     decide();
-    if (stopped("choosing the next measurement")) return std::nullopt;
+    begin("choosing the next measurement");
     plan_measurements();
-    if (stopped("leaving out one run after the other")) return std::nullopt;
+    begin("leaving out one run after the other");
     leave_out_runs();
     result_.cells = compared_cells(sample_, nominal_, result_.model, found_.scatter,
                                    result_.left_out, workers_);
@@ -120,10 +120,10 @@ class Diagnosis {
   }
 
  private:
-  bool stopped(const char* stage) {
-    if (options_.stage && options_.stage(stage)) stop_ = true;
-    if (options_.stop != nullptr && options_.stop->load()) stop_ = true;
-    return stop_;
+  // Throws Stopped once the options' `stop` is set.
+  void begin(const char* stage) {
+    if (options_.stage) options_.stage(stage);
+    workers_.go_on();
   }
 
   bool is_noted(NoteKind kind) const {
@@ -154,23 +154,15 @@ class Diagnosis {
          {}});
   }
 
-  TermSearchOptions search_options() const {
-    return {options_.alpha, options_.most_causes, options_.mounting_scatter, options_.terms};
-  }
-
-  bool find_causes() {
-    const TermSearchOptions options = search_options();
-    TermSearch search(sample_.training, nominal_, candidates_, options, workers_);
-    auto found = search.run([this](const char* stage) { return stopped(stage); });
-    if (!found) return false;
-    found_ = std::move(*found);
-    auto folds = cross_validated(data_, readings_in(sample_.training), nominal_, search, workers_,
-                                 [this] { return stopped("repeating the search by folds"); });
-    if (!folds) return false;
-    result_.folds = folds->size();
-    confirmation_.emplace(sample_.training, nominal_, options, std::move(*folds), found_, workers_);
+  void find_causes() {
+    TermSearch search(sample_.training, nominal_, candidates_, options_, workers_);
+    found_ = search.run([this](const char* stage) { begin(stage); });
+    begin("repeating the search by folds");
+    std::vector<Fold> folds =
+        cross_validated(data_, readings_in(sample_.training), nominal_, search, workers_);
+    result_.folds = folds.size();
+    confirmation_.emplace(sample_.training, nominal_, options_, std::move(folds), found_, workers_);
     result_.not_confirmed = confirmation_->remove_the_others();
-    return true;
   }
 
   // No smaller chance than the replicates could tell of a cause.
@@ -355,12 +347,11 @@ class Diagnosis {
     result_.row_scatter = row_scatter(found_.problem, forecast(sample_.training, found_.model));
     const StructureResult left = residual_structure(
         found_.problem, found_.model, found_.scatter.mounting, options_.alpha,
-        {streams::seed_of_residual_structure(options_.seed), options_.replicates}, workers_,
-        [this] { return stopped("checking what is left"); });
+        {streams::seed_of_residual_structure(options_.seed), options_.replicates}, workers_);
     result_.structure = left.findings;
     result_.structure_p_value = left.p_value;
     const bool is_chance = left.p_value >= structure_share_of_alpha * options_.alpha;
-    if (!stop_ && !is_chance && leaves_more_than_noise()) {
+    if (!is_chance && leaves_more_than_noise()) {
       result_.unexplained = {left.findings.front().about, left.where, left.p_value};
     }
   }
@@ -396,8 +387,7 @@ class Diagnosis {
          result_.mounting,
          options_.alpha,
          {streams::seed_of_residual_structure(options_.seed), options_.replicates}},
-        workers_, [this] { return stopped("looking for readings far off"); });
-    if (stop_) return;
+        workers_);
     for (const OutlierGroups& together : far.together) {
       result_.notes.push_back(note_on(together, far, data_, options_.alpha));
       if (result_.unexplained || !follow_something(together, options_.alpha)) continue;
@@ -501,11 +491,10 @@ class Diagnosis {
   const DiagnoseOptions& options_;
   Workers workers_;
   Sample sample_;
-  bool stop_ = false;
   bool too_few_ = false;
   Model nominal_;
   Explanation found_;
-  std::vector<Candidate> candidates_;
+  std::vector<Effect> candidates_;
   std::optional<Confirmation> confirmation_;
   std::vector<Model> alias_models_;  // models of the first causes that cannot be told apart
   DiagnosisResult result_;

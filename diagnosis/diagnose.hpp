@@ -20,35 +20,29 @@
 
 #include "causes/model.hpp"
 #include "diagnosis/diagnosis_result.hpp"
+#include "diagnosis/search/term_search.hpp"
 #include "readings/measured_data.hpp"
 
 namespace reeve::diagnosis {
 
 // Settings that determine the result, besides the data and the hardware.
-struct DiagnosisSettings {
-  double alpha = 0.02;
+struct DiagnosisSettings : TermSearchOptions {
   double hold_out = 0;  // share of the runs that are sealed for a last test
   std::uint64_t seed = 1;
   std::size_t replicates = 1000;
-  std::optional<std::size_t> most_causes;  // beside coefficients; none: as many as the data carry
-  // Relative standard deviation of friction exponents from mounting to mounting, if it is known.
-  std::optional<double> mounting_scatter;
-  // Laws that are looked for as those that the library has a name for, from these values on.
-  std::vector<Effect> terms{};
 };
 
 struct DiagnoseOptions : DiagnosisSettings {
   int threads = 0;
   // To choose the next measurement from, beside those of the data.
   std::vector<MeasurableRouting> routings;
-  // Called now and then; returns whether to stop. Stage by stage, since the length is not known.
-  std::function<bool(const char* stage)> stage;
-  // Asked within stages, too, and by any thread.
-  const std::atomic<bool>* stop = nullptr;
+  // Called as each stage begins: how long they take is not known.
+  std::function<void(const char* stage)> stage;
+  const std::atomic<bool>* stop = nullptr;  // set by any thread, it ends the diagnosis
 };
 
 // Random draws depend on the numbers of runs and readings. For the same result from the same rows
-// in any order, put them in a fixed order first (data/row_order.hpp). Returns nothing if it was
+// in any order, put them in a fixed order first (readings/row_order.hpp). Returns nothing if it was
 // stopped. Throws InputError if no row can be compared, or if one of the options' terms changes no
 // reading.
 std::optional<DiagnosisResult> diagnose_until(const MeasuredData& data, const Hardware& hardware,

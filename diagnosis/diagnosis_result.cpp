@@ -9,9 +9,13 @@
 #include <utility>
 
 #include "diagnosis/fit/fit.hpp"
-#include "diagnosis/search/candidates.hpp"
 
 namespace reeve::diagnosis {
+
+std::string grasps_text(const Subject& subject) {
+  if (!subject.recorded || !subject.actual) return {};
+  return "recorded " + to_text(*subject.recorded) + ", measured " + to_text(*subject.actual);
+}
 
 NamedCause named_cause(const Effect& effect, double p_value) {
   NamedCause cause;
@@ -47,7 +51,7 @@ void describe(std::vector<NamedCause>& causes, const Model& model, const Hardwar
     const std::size_t e = place(model, cause.effect);
     cause.effect = model.effects[e];
     cause.meaning = cause.effect.cause->meaning();
-    cause.detail = detail(cause.effect);
+    cause.detail = grasps_text(cause.effect.subject);
     for (std::size_t p = 0; p < cause.effect.values.size(); ++p) {
       cause.parameters.push_back(
           estimated(cause.effect, p, intervals[e][p], hardware, force_scale));

@@ -133,6 +133,9 @@ struct DiagnosisResult : SampleCounts {
   std::optional<WithoutApart> without_apart;
 };
 
+// "recorded 1, measured 2" of wrong_grasp; otherwise empty.
+std::string grasps_text(const Subject& subject);
+
 NamedCause named_cause(const Effect& effect, double p_value);
 
 // The p-th parameter of an effect, as it is searched where forces are of this scale.

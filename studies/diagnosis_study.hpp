@@ -26,7 +26,7 @@ struct DiagnosisRequest {
   // the data's.
   bool with_generated = false;
   int threads = 0;
-  std::function<bool(const char* stage)> stage;  // as in DiagnoseOptions, like the next
+  std::function<void(const char* stage)> stage;  // as in DiagnoseOptions, like the next
   const std::atomic<bool>* stop = nullptr;
 };
 

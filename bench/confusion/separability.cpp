@@ -18,7 +18,6 @@ namespace {
 
 using causes::Effect;
 using causes::Model;
-using diagnosis::Candidate;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -33,6 +32,8 @@ class Fitting {
  public:
   Fitting(const PlantedLikelihood& likelihood, double force_scale)
       : likelihood_(likelihood), force_scale_(force_scale) {}
+
+  double force_scale() const { return force_scale_; }
 
   double surprise(const Model& model) const {
     const auto e = likelihood_.residuals(model);
@@ -70,11 +71,12 @@ class Fitting {
 };
 
 // Sizes from small to all that is searched, of either sign, for each shape of the law.
-std::vector<std::vector<double>> starts(const Candidate& candidate) {
+std::vector<std::vector<double>> starts(const Effect& candidate, double force_scale) {
+  const auto parameters = diagnosis::searched_parameters(*candidate.cause, {}, force_scale);
   std::vector<std::vector<double>> result;
-  for (const std::vector<double>& shape : diagnosis::shapes(candidate)) {
+  for (const std::vector<double>& shape : diagnosis::shapes(candidate, parameters)) {
     if (shape.empty()) return {shape};
-    const causes::Parameter& size = candidate.parameters.front();
+    const causes::Parameter& size = parameters.front();
     for (const double part : {0.7, 0.3, 0.1, 0.03, 0.01}) {
       for (const double end : {size.range.low, size.range.high}) {
         result.push_back(shape);
@@ -87,13 +89,13 @@ std::vector<std::vector<double>> starts(const Candidate& candidate) {
 
 // With the candidate in the model; coefficients start where they are and as the hardware says. A
 // model less likely than `near` after one refinement gets no other.
-Found with(const Fitting& fitting, const Model& model, const Candidate& candidate,
+Found with(const Fitting& fitting, const Model& model, const Effect& candidate,
            double near = infinite) {
   constexpr std::size_t most = 3;
   std::vector<Found> tried;
   for (const Model& from : {model, diagnosis::with_hardware_coefficients(model)}) {
-    for (const std::vector<double>& values : starts(candidate)) {
-      diagnosis::Extended trial = diagnosis::extended(from, candidate.effect);
+    for (const std::vector<double>& values : starts(candidate, fitting.force_scale())) {
+      diagnosis::Extended trial = diagnosis::extended(from, candidate);
       trial.model.effects[trial.effect].values = values;
       const double surprise = fitting.surprise(trial.model);
       tried.push_back({std::move(trial.model), surprise});
@@ -110,10 +112,10 @@ Found with(const Fitting& fitting, const Model& model, const Candidate& candidat
 
 class Separating {
  public:
-  Separating(const Fitting& fitting, const std::vector<Candidate>& candidates)
+  Separating(const Fitting& fitting, const std::vector<Effect>& candidates)
       : fitting_(fitting), candidates_(candidates) {
-    for (const Candidate& candidate : candidates) {
-      if (is_open(candidate)) add_effect(free_, candidate.effect);
+    for (const Effect& candidate : candidates) {
+      if (is_open(candidate)) add_effect(free_, candidate);
     }
   }
 
@@ -130,21 +132,21 @@ class Separating {
       const Found none = fitting_.refined(rest);
       rest = none.model;
       least.over_none = std::min(least.over_none, none.surprise - all.surprise);
-      for (const Candidate& other : candidates_) {
-        if (has(all.model, other.name)) continue;
+      for (const Effect& other : candidates_) {
+        if (has(all.model, effect_name(other))) continue;
         const double margin =
             with(fitting_, rest, other, all.surprise + far).surprise - all.surprise;
         if (margin >= least.margin) continue;
         least.margin = margin;
-        least.nearest = other.name;
+        least.nearest = effect_name(other);
       }
     }
     return least;
   }
 
  private:
-  static bool is_open(const Candidate& candidate) {
-    return diagnosis::is_open_coefficient(candidate.effect, {});
+  static bool is_open(const Effect& candidate) {
+    return diagnosis::is_open_coefficient(candidate, {});
   }
   static bool has(const Model& model, const std::string& name) {
     return std::any_of(model.effects.begin(), model.effects.end(),
@@ -155,15 +157,15 @@ class Separating {
   Found best_of(const Model& model, const std::string& name) const {
     Found best{model, infinite};
     if (has(model, name)) return fitting_.refined(model);
-    for (const Candidate& candidate : candidates_) {
-      if (candidate.name != name) continue;
+    for (const Effect& candidate : candidates_) {
+      if (effect_name(candidate) != name) continue;
       best = std::min(best, with(fitting_, model, candidate), is_likelier);
     }
     return best;
   }
 
   const Fitting& fitting_;
-  const std::vector<Candidate>& candidates_;
+  const std::vector<Effect>& candidates_;
   Model free_;
 };
 
@@ -177,7 +179,7 @@ std::optional<Separability> separability(const testing::Planted& planted,
   for (const testing::PlantedCause& cause : planted.causes) {
     const bool known =
         std::any_of(candidates.begin(), candidates.end(),
-                    [&](const Candidate& candidate) { return candidate.name == cause.name; });
+                    [&](const Effect& candidate) { return effect_name(candidate) == cause.name; });
     if (!known) return std::nullopt;
     hidden.push_back(cause.name);
   }

@@ -113,10 +113,7 @@ std::optional<DiagnosisReport> report(const DiagnoseFlags& flags, const Catalogu
   require_hardware_to_fit(request.hardware, routings);
   require_values_to_act(request.hardware, routings);
   require_places(flags);
-  request.stage = [&](const char* name) {
-    stage(name);
-    return false;
-  };
+  request.stage = stage;
   request.stop = stop;
   return diagnosis_study(std::move(request), catalogue);
 }

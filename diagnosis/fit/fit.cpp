@@ -100,10 +100,7 @@ Fit fit(const Problem& problem, const Model& model, std::size_t effect,
 }
 
 bool same_effect(const Effect& a, const Effect& b) {
-  const Subject& x = a.subject;
-  const Subject& y = b.subject;
-  return a.cause == b.cause && effect_name(a) == effect_name(b) && x.recorded == y.recorded &&
-         x.actual == y.actual;
+  return is_about_the_same(a, b) && a.subject.actual == b.subject.actual;
 }
 
 std::size_t place(const Model& model, const Effect& effect) {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "causes/model_solver.hpp"
@@ -24,11 +23,6 @@ bool is_sheath(const ContactHardware& contact) {
   };
   return is_motor_side(contact.segment) != is_motor_side(contact.other_segment);
 }
-
-struct NoForecast {
-  std::size_t reading = 0;
-  std::string why;
-};
 
 // Prepares what the hardware makes of a network at a row's own sheath angle once for all rows that
 // follow with the same.
@@ -254,23 +248,27 @@ class RoutingForecast {
   Eigen::VectorXd readings_;
 };
 
-std::variant<Forecast, NoForecast> attempt(const Dataset& dataset, const Model& model,
-                                           MotorSlopes slopes, RowContacts* contacts = nullptr) {
+// Throws OutOfRange that names the line.
+Forecast attempt(const Dataset& dataset, const Model& model, MotorSlopes slopes,
+                 RowContacts* contacts = nullptr) {
   const auto n = static_cast<Eigen::Index>(dataset.cells.size());
   Forecast result{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n),
                   std::vector<bool>(dataset.rows.size(), false)};
   MechanicsByAngle mechanics(model);
   std::vector<std::optional<RoutingForecast>> routings(dataset.data->routings.size());
   for (const ReadingBlock& block : dataset.blocks) {
-    const std::size_t reading = dataset.rows[block.rows.front()].reading;
     std::optional<RoutingForecast>& routing = routings[block.routing];
     if (!routing) routing.emplace(dataset, model, block.routing, slopes, result, contacts);
+    const auto out_of_range = [&](const char* why) {
+      const Reading& first = dataset.data->readings[dataset.rows[block.rows.front()].reading];
+      return OutOfRange(fmt::format("{}:{}: {}", dataset.data->file, first.line, why));
+    };
     try {
       if (routing->run(block, mechanics.at(block.sheath_angle_rad))) continue;
     } catch (const InputError& error) {
-      return NoForecast{reading, error.what()};
+      throw out_of_range(error.what());
     }
-    return NoForecast{reading, "friction is so strong that tensions fall out of range"};
+    throw out_of_range("friction is so strong that tensions fall out of range");
   }
   return result;
 }
@@ -294,9 +292,11 @@ RowContacts contacts_of_rows(const Dataset& dataset, const Model& model) {
 
 std::optional<Forecast> try_forecast(const Dataset& dataset, const Model& model,
                                      MotorSlopes slopes) {
-  auto result = attempt(dataset, model, slopes);
-  if (std::holds_alternative<NoForecast>(result)) return std::nullopt;
-  return std::get<Forecast>(std::move(result));
+  try {
+    return attempt(dataset, model, slopes);
+  } catch (const OutOfRange&) {
+    return std::nullopt;
+  }
 }
 
 std::optional<Eigen::VectorXd> reading_slope(const Dataset& dataset, const Model& less,
@@ -308,12 +308,7 @@ std::optional<Eigen::VectorXd> reading_slope(const Dataset& dataset, const Model
 }
 
 Forecast forecast(const Dataset& dataset, const Model& model) {
-  auto result = attempt(dataset, model, MotorSlopes::solved);
-  if (const auto* none = std::get_if<NoForecast>(&result)) {
-    const Reading& reading = dataset.data->readings[none->reading];
-    throw OutOfRange(fmt::format("{}:{}: {}", dataset.data->file, reading.line, none->why));
-  }
-  return std::get<Forecast>(std::move(result));
+  return attempt(dataset, model, MotorSlopes::solved);
 }
 
 }  // namespace reeve::diagnosis

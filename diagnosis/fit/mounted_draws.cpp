@@ -10,34 +10,6 @@
 #include "numerics/random.hpp"
 
 namespace reeve::diagnosis {
-namespace {
-
-// The contacts of one mounting, by their number among those of their kind.
-class MountedExponents final : public Cause {
- public:
-  MountedExponents(std::size_t most, const MountedScatter& scatter, const std::vector<double>& z)
-      : most_(most), scatter_(scatter), z_(z) {}
-
-  const char* name() const override { return "exponents_of_a_mounting"; }
-  Reach reach() const override { return Reach::exponent; }
-  const char* meaning() const override { return "contacts as one mounting made them"; }
-  std::vector<Parameter> parameters(const Hardware&) const override { return {}; }
-  std::vector<Subject> subjects(const Survey&) const override { return {}; }
-  double exponent(double phi, const ContactLoad& load, const Conditions&,
-                  const Effect&) const override {
-    const std::optional<Mounted> kind = mounted_kind(load.kind);
-    if (!kind || load.number >= most_) return phi;
-    const double z = z_[static_cast<std::size_t>(load.kind) * most_ + load.number];
-    return phi * std::max(0.0, 1 + scatter_[static_cast<std::size_t>(*kind)] * z);
-  }
-
- private:
-  std::size_t most_;
-  const MountedScatter& scatter_;
-  const std::vector<double>& z_;
-};
-
-}  // namespace
 
 MountedDraws::MountedDraws(const Dataset& dataset, const Model& model,
                            const MountingScatter& scatter)
@@ -84,12 +56,18 @@ Eigen::VectorXd MountedDraws::draw(std::uint64_t seed, std::uint32_t stream,
   first += mounted_kinds;
   const double tau = scatter[static_cast<std::size_t>(Mounted::gain)];
   const std::size_t gains = contact_kinds * most_contacts_;
-  std::vector<double> z(gains + channels_ + 1);  // the last one is the motor's
+  // Contacts by their number among those of their kind, channels, and at last the motor.
+  std::vector<double> z(gains + channels_ + 1);
+  const ChangedExponents exponents([&](double phi, const ContactLoad& load) {
+    const std::optional<Mounted> kind = mounted_kind(load.kind);
+    if (!kind || load.number >= most_contacts_) return phi;
+    const double own = z[static_cast<std::size_t>(load.kind) * most_contacts_ + load.number];
+    return phi * std::max(0.0, 1 + scatter[static_cast<std::size_t>(*kind)] * own);
+  });
+  Model mounted = model_;
+  add_effect(mounted, {&exponents, {}, {}});
   for (const Part& part : parts_) {
     for (double& one : z) one = normal(seed, stream, first++);
-    const MountedExponents exponents(most_contacts_, scatter, z);
-    Model mounted = model_;
-    add_effect(mounted, {&exponents, {}, {}});
     const std::optional<Forecast> at = try_forecast(part.dataset, mounted, MotorSlopes::left_out);
     const Eigen::VectorXd& reading_N = at ? at->reading_N : part.reading_N;
     for (const DatasetRow& row : part.dataset.rows) {

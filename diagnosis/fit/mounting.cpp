@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <initializer_list>
 #include <map>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -16,37 +14,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-class OneExponent final : public Cause {
- public:
-  OneExponent(ContactKind kind, std::size_t number, ExponentChange change)
-      : kind_(kind), number_(number), change_(change) {}
-
-  const char* name() const override { return "exponent_of_one_contact"; }
-  Reach reach() const override { return Reach::exponent; }
-  const char* meaning() const override { return "the exponent of one contact differs"; }
-  std::vector<Parameter> parameters(const Hardware&) const override {
-    return {{"change", "1", 0, {-1, 1}, {}}};
-  }
-  std::vector<Subject> subjects(const Survey&) const override { return {}; }
-  double exponent(double phi, const ContactLoad& load, const Conditions&,
-                  const Effect& effect) const override {
-    if (load.kind != kind_ || load.number != number_) return phi;
-    const double change = effect.values[0];
-    return change_ == ExponentChange::relative ? phi * (1 + change) : phi + change;
-  }
-
- private:
-  ContactKind kind_;
-  std::size_t number_;
-  ExponentChange change_;
-};
-
-// The n-th contact of a kind.
-struct NumberedContact {
-  ContactKind kind = ContactKind::sheath;
-  std::size_t number = 0;
-};
 
 // True if some routing has both contacts; otherwise their joint effect is the sum of the single
 // ones.
@@ -106,14 +73,21 @@ class Exponents {
   struct One {
     Mounted kind = Mounted::sheath;
     NumberedContact contact;
-    std::unique_ptr<const Cause> cause;
     VectorXd change_N;               // empty if there are no tensions beside it
     std::optional<VectorXd> wide_N;  // after a wide step
   };
 
-  std::optional<VectorXd> moved(std::initializer_list<std::pair<const Cause*, double>> by) const {
+  using Step = std::pair<NumberedContact, double>;  // a relative change of its exponent
+
+  std::optional<VectorXd> moved(const std::vector<Step>& steps) const {
+    const ChangedExponents exponents([&](double phi, const ContactLoad& load) {
+      for (const auto& [contact, change] : steps) {
+        if (contact.is(load)) phi *= 1 + change;
+      }
+      return phi;
+    });
     Model model = model_;
-    for (const auto& [cause, change] : by) add_effect(model, {cause, {}, {change}});
+    add_effect(model, {&exponents, {}, {}});
     auto there = try_forecast(dataset_, model, MotorSlopes::left_out);
     if (!there) return std::nullopt;
     return std::move(there->reading_N);
@@ -122,26 +96,22 @@ class Exponents {
   void list(Mounted kind, ContactKind contact) {
     const std::size_t most = most_of_a_kind(dataset_, contact);
     for (std::size_t number = 0; number < most; ++number) {
-      ones_.push_back({kind,
-                       {contact, number},
-                       exponent_of_one(contact, number, ExponentChange::relative),
-                       {},
-                       {}});
+      ones_.push_back({kind, {contact, number}, {}, {}});
     }
   }
 
   void move(One& one) const {
-    const auto above = moved({{one.cause.get(), small}});
-    const auto below = moved({{one.cause.get(), -small}});
+    const auto above = moved({{one.contact, small}});
+    const auto below = moved({{one.contact, -small}});
     if (!above || !below) return;
     one.change_N = (*above - *below) / (2 * small);
-    one.wide_N = moved({{one.cause.get(), wide}});
+    one.wide_N = moved({{one.contact, wide}});
   }
 
   std::optional<MountingModes::Pair> together(const One& first, const One& second) const {
     const bool alone = &first == &second;
-    const auto both = alone ? moved({{first.cause.get(), -wide}})
-                            : moved({{first.cause.get(), wide}, {second.cause.get(), wide}});
+    const auto both = alone ? moved({{first.contact, -wide}})
+                            : moved({{first.contact, wide}, {second.contact, wide}});
     if (!first.wide_N || !second.wide_N || !both) return std::nullopt;
     const VectorXd change = alone
                                 ? VectorXd((*both + *first.wide_N - 2 * at_) / std::numbers::sqrt2)
@@ -177,11 +147,6 @@ void put_gains(const Dataset& dataset, const VectorXd& reading, MountingModes& m
 }
 
 }  // namespace
-
-std::unique_ptr<const Cause> exponent_of_one(ContactKind kind, std::size_t number,
-                                             ExponentChange change) {
-  return std::make_unique<OneExponent>(kind, number, change);
-}
 
 std::optional<Mounted> mounted_kind(ContactKind contact) {
   if (is_bearing(contact)) return Mounted::bearing;

@@ -18,8 +18,9 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "causes/model.hpp"
@@ -47,11 +48,34 @@ struct Mounting {
 // Contacts of the kind in the routing that has the most of them.
 std::size_t most_of_a_kind(const Dataset& dataset, ContactKind kind);
 
-// The exponent of the n-th contact of a kind, in every routing: no cause that anybody would name,
-// but what differs between mountings, and what laws of contacts act through.
-enum class ExponentChange : std::uint8_t { relative, added };  // φ (1 + v) or φ + v
-std::unique_ptr<const Cause> exponent_of_one(ContactKind kind, std::size_t number,
-                                             ExponentChange change);
+// Exponents that change as this says, in every routing: no cause that anybody would name, but what
+// differs between mountings, and what laws of contacts act through.
+class ChangedExponents final : public Cause {
+ public:
+  using Change = std::function<double(double phi, const ContactLoad&)>;
+  explicit ChangedExponents(Change change) : change_(std::move(change)) {}
+
+  const char* name() const override { return "changed_exponents"; }
+  Reach reach() const override { return Reach::exponent; }
+  const char* meaning() const override { return "the exponents of contacts differ"; }
+  std::vector<Parameter> parameters(const Hardware&) const override { return {}; }
+  std::vector<Subject> subjects(const Survey&) const override { return {}; }
+  double exponent(double phi, const ContactLoad& load, const Conditions&,
+                  const Effect&) const override {
+    return change_(phi, load);
+  }
+
+ private:
+  Change change_;
+};
+
+// The n-th contact of a kind, in every routing.
+struct NumberedContact {
+  ContactKind kind = ContactKind::sheath;
+  std::size_t number = 0;
+
+  bool is(const ContactLoad& load) const { return load.kind == kind && load.number == number; }
+};
 
 // In the order of run and routing.
 std::vector<Mounting> mountings(const Dataset& dataset);

@@ -124,10 +124,6 @@ bool is_told(const MountingScatter& scatter, Mounted kind) {
   return scatter.told_by[static_cast<std::size_t>(kind)] >= 1;
 }
 
-bool is_beyond_belief(const MountingScatter& scatter) {
-  return believed(scatter).relative != scatter.relative;
-}
-
 MountingScatter believed(MountingScatter scatter) {
   if (scatter.given) return scatter;
   for (std::size_t k = 0; k < mounted_kinds; ++k) {

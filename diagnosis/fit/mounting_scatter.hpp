@@ -44,8 +44,6 @@ struct MountingScatter {
 // True if the readings determine the scatter of this kind.
 bool is_told(const MountingScatter& scatter, Mounted kind);
 
-// True if the readings suggest more scatter than mountings can plausibly have.
-bool is_beyond_belief(const MountingScatter& scatter);
 // Limits the scatter to the greatest plausible one.
 MountingScatter believed(MountingScatter scatter);
 

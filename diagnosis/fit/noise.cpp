@@ -24,10 +24,10 @@ constexpr double enough_within_runs = 15;
 Noise fit(const Dataset& dataset, const std::vector<ScatterSample>& samples, NoiseSource source) {
   if (samples.empty()) return {0, 0, NoiseSource::known, 0, true, {}};
   // Residuals of a model that is wrong are of many sizes, too.
-  ScatterFit found = source == NoiseSource::residuals ? scatter_of_all(dataset, samples)
-                                                      : likeliest_scatter(dataset, samples);
-  return {found.relative, found.absolute_N,         source, degrees(samples),
-          true,           std::move(found.of_group)};
+  Noise noise = source == NoiseSource::residuals ? scatter_of_all(dataset, samples)
+                                                 : likeliest_scatter(dataset, samples);
+  noise.source = source;
+  return noise;
 }
 
 // Nothing if too few readings tell.
@@ -98,13 +98,12 @@ struct MotorAxis {
 
 // Returns the axes of a mounting's rows with more than one reading. Nothing is known of these
 // readings beside their axes.
-std::vector<MotorAxis> motor_axes(const std::vector<Eigen::Index>& cells,
-                                  const std::vector<std::size_t>& row_of,
+std::vector<MotorAxis> motor_axes(const Dataset& dataset, const std::vector<Eigen::Index>& cells,
                                   const Eigen::VectorXd& weighted_by_scale,
                                   Eigen::VectorXd& known) {
   std::map<std::size_t, MotorAxis> rows;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::size_t row = row_of[static_cast<std::size_t>(cells[i])];
+    const std::size_t row = dataset.cells[static_cast<std::size_t>(cells[i])].row;
     if (known[cells[i]] > 0) rows[row].places.push_back(static_cast<Eigen::Index>(i));
   }
   std::vector<MotorAxis> axes;
@@ -222,14 +221,12 @@ Noise noise_left_by(const Dataset& dataset, const Model& model) {
                                             static_cast<double>(dataset.cells.size()));
   const std::vector<bool> tells = tell_of_noise(dataset);
   std::vector<ScatterSample> samples;
-  for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
-    const DatasetRow& row = dataset.rows[r];
-    for (std::size_t i = row.first; i < row.last; ++i) {
-      if (!tells[dataset.cells[i].channel]) continue;
-      const auto cell = static_cast<Eigen::Index>(i);
-      samples.push_back({dataset.cells[i].measured_N, residual_N[cell], kept,
-                         motor_variance(row, at.by_scale[cell]), r});
-    }
+  for (std::size_t i = 0; i < dataset.cells.size(); ++i) {
+    const Cell& cell = dataset.cells[i];
+    if (!tells[cell.channel]) continue;
+    const auto k = static_cast<Eigen::Index>(i);
+    samples.push_back({cell.measured_N, residual_N[k], kept,
+                       motor_variance(dataset.rows[cell.row], at.by_scale[k]), cell.row});
   }
   take_out_motor(dataset, samples);
   return fit(dataset, samples, NoiseSource::residuals);
@@ -244,21 +241,16 @@ std::optional<Noise> noise_left_within_mountings(const Dataset& dataset, const M
   // A seized contact may leave a model in which nothing is pulled.
   const double middle = std::max(at.reading_N.mean(), least_absolute(dataset));
   Eigen::VectorXd known = Eigen::VectorXd::Zero(cells);
-  std::vector<std::size_t> row_of;
-  for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
-    const DatasetRow& row = dataset.rows[r];
-    for (std::size_t i = row.first; i < row.last; ++i) {
-      const auto cell = static_cast<Eigen::Index>(i);
-      known[cell] = motor_variance(row, at.by_scale[cell]);
-      row_of.push_back(r);
-    }
+  for (Eigen::Index i = 0; i < cells; ++i) {
+    const Cell& cell = dataset.cells[static_cast<std::size_t>(i)];
+    known[i] = motor_variance(dataset.rows[cell.row], at.by_scale[i]);
   }
   std::vector<MountedResiduals> mounted;
   for (const Mounting& mounting : mountings(dataset)) {
     Eigen::VectorXd weights = at.reading_N(mounting.cells);
     for (double& of : weights) of = weight(of, middle);
     std::vector<MotorAxis> axes =
-        motor_axes(mounting.cells, row_of,
+        motor_axes(dataset, mounting.cells,
                    weights.cwiseProduct(Eigen::VectorXd(at.by_scale(mounting.cells))), known);
     // Out of both: what mountings could explain of scattering motor tensions is no row's axis.
     Eigen::MatrixXd columns =
@@ -275,11 +267,11 @@ std::optional<Noise> noise_left_within_mountings(const Dataset& dataset, const M
     const Eigen::VectorXd own = of.left(far);
     const Eigen::VectorXd kept = of.kept();
     for (Eigen::Index i = 0; i < own.size(); ++i) {
-      const Eigen::Index cell = of.cells[static_cast<std::size_t>(i)];
-      const std::size_t channel = dataset.cells[static_cast<std::size_t>(cell)].channel;
-      if (!tells[channel]) continue;
-      samples.push_back({std::max(at.reading_N[cell], 0.0), own[i] / of.weights[i],
-                         scaled * kept[i], known[cell], row_of[static_cast<std::size_t>(cell)]});
+      const Eigen::Index k = of.cells[static_cast<std::size_t>(i)];
+      const Cell& cell = dataset.cells[static_cast<std::size_t>(k)];
+      if (!tells[cell.channel]) continue;
+      samples.push_back({std::max(at.reading_N[k], 0.0), own[i] / of.weights[i], scaled * kept[i],
+                         known[k], cell.row});
     }
   }
   take_out_motor(dataset, samples);

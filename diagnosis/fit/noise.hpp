@@ -3,18 +3,17 @@
 // Estimated from
 //   repeats     readings of a channel under the same conditions, in one mounting
 //   smoothing   other readings of a channel in one routing, grasp and direction, beside a
-//   regression
-//               of T / T_M on load, speed, cycle, temperature and order, with a level of its own
-//               in each run: what no smooth law explains
+//               regression of T / T_M on load, speed, cycle, temperature and order, with a level of
+//               its own in each run: what no smooth law explains
 // together, since repeats of few conditions cannot tell the relative part from the absolute one;
 // where the data are too few for that, from
 //   residuals   of a model, beside all that a mounting could change (mounting.hpp), or
 // where these are too few, too, from the same without regard to runs, or from residuals alone.
 // Both parts together maximise the (restricted) likelihood of the residuals.
 //
-// Channels whose noise somebody knows (data/known_noise.hpp) tell nothing of that of the others.
-// Where the motor tension is known to scatter, what goes with it in all readings of a row is taken
-// out of them; of a reading that is alone in its row, the known variance is.
+// Channels whose noise somebody knows (readings/measured_data.hpp) tell nothing of that of the
+// others. Where the motor tension is known to scatter, what goes with it in all readings of a row
+// is taken out of them; of a reading that is alone in its row, the known variance is.
 //
 // Where somebody names groups of rows (winches, operators), each may have f times the noise of all,
 // if that is clearly likelier.
@@ -54,9 +53,9 @@ struct Noise {
 };
 
 // sd of each cell at what a model expects it to read, and not less than what the file says of it
-// (the standard error of an average); where the reading is far from that, at the
-// reading. (Always at the reading would be worse: readings that chance made small would weigh more
-// than those that it made large.)
+// (the standard error of an average); where the reading is far from that, at the reading. (Always
+// at the reading would be worse: readings that chance made small would weigh more than those that
+// it made large.)
 Eigen::VectorXd deviations(const Dataset& dataset, const Noise& noise,
                            const Eigen::VectorXd& expected_N);
 

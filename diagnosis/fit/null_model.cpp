@@ -112,19 +112,12 @@ void NullModel::add_motor_draws(std::uint32_t stream, Eigen::VectorXd& drawn) co
   }
 }
 
-void NullModel::for_each(Workers& workers,
-                         const std::function<void(std::size_t, const Eigen::MatrixXd&)>& use,
-                         const std::function<bool()>& stop) const {
+void NullModel::for_each(
+    Workers& workers, const std::function<void(std::size_t, const Eigen::MatrixXd&)>& use) const {
   constexpr std::size_t together = 16;
-  constexpr std::size_t between_questions = 256;
-  for (std::size_t first = 0; first < replicates_; first += between_questions) {
-    if (stop && stop()) return;
-    const std::size_t size = std::min(between_questions, replicates_ - first);
-    workers.for_each_block((size + together - 1) / together, 1, [&](const IndexBlock& block) {
-      const std::size_t begin = block.begin * together;
-      use(first + begin, draw(first + begin, std::min(together, size - begin)));
-    });
-  }
+  workers.for_each_block(replicates_, together, [&](const IndexBlock& block) {
+    use(block.begin, draw(block.begin, block.end - block.begin));
+  });
 }
 
 double p_value(double observed, const std::vector<double>& replicates) {

@@ -49,11 +49,9 @@ class NullModel {
 
   // `use` gets some replicates at a time, since what is done with their residuals goes several
   // times as fast for some together: the number of the first, and a column for each. It writes to
-  // their own slots. `stop` is asked now and then, by this thread; the replicates that are left
-  // then get no call.
+  // their own slots.
   void for_each(Workers& workers,
-                const std::function<void(std::size_t first, const Eigen::MatrixXd&)>& use,
-                const std::function<bool()>& stop = {}) const;
+                const std::function<void(std::size_t first, const Eigen::MatrixXd&)>& use) const;
 
  private:
   Eigen::MatrixXd draw(std::size_t first, std::size_t count) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "numerics/chi_squared.hpp"
 #include "numerics/minimise.hpp"
@@ -38,7 +39,7 @@ double misfit(const std::vector<ScatterSample>& samples, double absolute, double
 }
 
 struct Trial {
-  ScatterFit fit;
+  Noise noise;
   double misfit = 0;
 };
 
@@ -53,7 +54,11 @@ Trial trial(const Dataset& dataset, const std::vector<ScatterSample>& samples) {
   };
   const Minimum best =
       minimise([&](const std::vector<double>& x) { return at(x) - penalty(x); }, box, evaluations);
-  return {{std::exp(best.at[0]), std::exp(best.at[1]), {}}, best.value + penalty(best.at)};
+  Noise noise;
+  noise.absolute_N = std::exp(best.at[0]);
+  noise.relative = std::exp(best.at[1]);
+  noise.degrees_of_freedom = degrees(samples);
+  return {std::move(noise), best.value + penalty(best.at)};
 }
 
 std::vector<ScatterSample> mostly_free(std::vector<ScatterSample> samples) {
@@ -89,7 +94,7 @@ std::vector<std::vector<ScatterSample>> by_group(const Dataset& dataset,
 }
 
 // The likeliest f of these samples beside a scatter of all.
-double scale_beside(std::vector<ScatterSample> own, const ScatterFit& all) {
+double scale_beside(std::vector<ScatterSample> own, const Noise& all) {
   constexpr int evaluations = 60;
   const double most = std::log(30.0);
   const Minimum best = refine(
@@ -102,7 +107,7 @@ double scale_beside(std::vector<ScatterSample> own, const ScatterFit& all) {
 }
 
 std::vector<double> scales_beside(const std::vector<std::vector<ScatterSample>>& groups,
-                                  const ScatterFit& all) {
+                                  const Noise& all) {
   std::vector<double> scales(groups.size(), 1);
   double logarithms = 0;
   double weights = 0;
@@ -127,9 +132,9 @@ std::optional<Trial> trial_by_group(const Dataset& dataset,
   if (own < 2) return std::nullopt;
   Trial best = trial(dataset, samples);
   for (int round = 0; round < rounds; ++round) {
-    std::vector<double> scales = scales_beside(groups, best.fit);
+    std::vector<double> scales = scales_beside(groups, best.noise);
     best = trial(dataset, scaled(dataset, samples, scales));
-    best.fit.of_group = std::move(scales);
+    best.noise.of_group = std::move(scales);
   }
   best.misfit += chi_squared_quantile(surely, static_cast<double>(own - 1));
   return best;
@@ -145,19 +150,19 @@ double degrees(const std::vector<ScatterSample>& samples) {
 
 double least_absolute(const Dataset& dataset) { return floor_share * median_reading(dataset); }
 
-ScatterFit scatter_of_all(const Dataset& dataset, const std::vector<ScatterSample>& samples) {
-  return trial(dataset, samples).fit;
+Noise scatter_of_all(const Dataset& dataset, const std::vector<ScatterSample>& samples) {
+  return trial(dataset, samples).noise;
 }
 
-ScatterFit likeliest_scatter(const Dataset& dataset, const std::vector<ScatterSample>& samples) {
+Noise likeliest_scatter(const Dataset& dataset, const std::vector<ScatterSample>& samples) {
   if (dataset.data->groups.size() < 2) return scatter_of_all(dataset, samples);
   const std::vector<ScatterSample> free = mostly_free(samples);
   const auto by_itself = trial_by_group(dataset, free);
   if (!by_itself || by_itself->misfit >= trial(dataset, free).misfit) {
     return scatter_of_all(dataset, samples);
   }
-  ScatterFit result = scatter_of_all(dataset, scaled(dataset, samples, by_itself->fit.of_group));
-  result.of_group = by_itself->fit.of_group;
+  Noise result = scatter_of_all(dataset, scaled(dataset, samples, by_itself->noise.of_group));
+  result.of_group = by_itself->noise.of_group;
   return result;
 }
 

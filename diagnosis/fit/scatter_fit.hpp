@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "diagnosis/dataset.hpp"
+#include "diagnosis/fit/noise.hpp"
 #include "diagnosis/fit/scatter_samples.hpp"
 
 namespace reeve::diagnosis {
@@ -28,18 +29,12 @@ double degrees(const std::vector<ScatterSample>& samples);
 // N: what no noise is below, so that a reading of 0 does not weigh infinitely.
 double least_absolute(const Dataset& dataset);
 
-struct ScatterFit {
-  double absolute_N = 0;
-  double relative = 0;
-  std::vector<double> of_group;  // f, with the geometric mean 1, and 1 of
-                                 // a group that few samples tell; empty: all alike
-};
-
 // The scatter is alike in all rows.
-ScatterFit scatter_of_all(const Dataset& dataset, const std::vector<ScatterSample>& samples);
+Noise scatter_of_all(const Dataset& dataset, const std::vector<ScatterSample>& samples);
 
-// Groups are judged by `free` samples, of which the estimate leaves most: the others are
-// mixtures of several readings' scatter.
-ScatterFit likeliest_scatter(const Dataset& dataset, const std::vector<ScatterSample>& samples);
+// The f of groups have the geometric mean 1, and a group that few samples tell has 1. Groups are
+// judged by `free` samples, of which the estimate leaves most: the others are mixtures of several
+// readings' scatter.
+Noise likeliest_scatter(const Dataset& dataset, const std::vector<ScatterSample>& samples);
 
 }  // namespace reeve::diagnosis

@@ -14,34 +14,38 @@ namespace {
 
 using CellGroup = std::vector<std::size_t>;  // cells
 
+const DatasetRow& row_of(const Dataset& dataset, std::size_t cell) {
+  return dataset.rows[dataset.cells[cell].row];
+}
+
 // Returns the variance of a reading in proportion to the motor tension, N².
 double motor_variance_of_reading(const DatasetRow& row, double reading_N) {
   return motor_variance(row, reading_N / row.conditions.motor_tension_N);
 }
 
-// Each run's rows have a column.
-Eigen::MatrixXd run_columns(const Dataset& dataset, const std::vector<std::size_t>& rows) {
+// The cells of each run have a column.
+Eigen::MatrixXd run_columns(const Dataset& dataset, const CellGroup& cells) {
   std::map<std::size_t, Eigen::Index> place;
-  for (const std::size_t r : rows) {
-    const std::size_t run = dataset.data->readings[dataset.rows[r].reading].run;
-    place.emplace(run, static_cast<Eigen::Index>(place.size()));
+  const auto run_of = [&](std::size_t cell) {
+    return dataset.data->readings[dataset.cells[cell].reading].run;
+  };
+  for (const std::size_t i : cells) {
+    place.emplace(run_of(i), static_cast<Eigen::Index>(place.size()));
   }
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()),
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(cells.size()),
                                                   static_cast<Eigen::Index>(place.size()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::size_t run = dataset.data->readings[dataset.rows[rows[i]].reading].run;
-    columns(static_cast<Eigen::Index>(i), place.at(run)) = 1;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    columns(static_cast<Eigen::Index>(i), place.at(run_of(cells[i]))) = 1;
   }
   return columns;
 }
 
-// The columns of a regression of T / T_M that vary among these rows, centred.
-Eigen::MatrixXd smooth_columns(const Dataset& dataset, const std::vector<std::size_t>& rows,
-                               Runs runs) {
-  const auto n = static_cast<Eigen::Index>(rows.size());
+// The columns of a regression of T / T_M that vary among these cells, centred.
+Eigen::MatrixXd smooth_columns(const Dataset& dataset, const CellGroup& cells, Runs runs) {
+  const auto n = static_cast<Eigen::Index>(cells.size());
   Eigen::MatrixXd all(n, 7);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const DatasetRow& row = dataset.rows[rows[static_cast<std::size_t>(i)]];
+    const DatasetRow& row = row_of(dataset, cells[static_cast<std::size_t>(i)]);
     const Conditions& at = row.conditions;
     all.row(i) << 1 / at.motor_tension_N, std::log(at.motor_tension_N),
         std::log(std::max(at.speed_mm_s, 0.01)), std::log1p(at.cycle / 100), at.temperature_C,
@@ -49,7 +53,7 @@ Eigen::MatrixXd smooth_columns(const Dataset& dataset, const std::vector<std::si
         static_cast<double>(dataset.data->readings[row.reading].taken);
   }
   const Eigen::MatrixXd levels =
-      runs == Runs::alike ? Eigen::MatrixXd::Ones(n, 1) : run_columns(dataset, rows);
+      runs == Runs::alike ? Eigen::MatrixXd::Ones(n, 1) : run_columns(dataset, cells);
   Eigen::MatrixXd columns(n, levels.cols() + all.cols());
   columns.leftCols(levels.cols()) = levels;
   Eigen::Index used = levels.cols();
@@ -61,15 +65,16 @@ Eigen::MatrixXd smooth_columns(const Dataset& dataset, const std::vector<std::si
   return columns.leftCols(used);
 }
 
-void smooth(const Dataset& dataset, const std::vector<std::size_t>& rows, const CellGroup& cells,
-            double level, Runs runs, std::vector<ScatterSample>& samples) {
-  const Eigen::MatrixXd columns = smooth_columns(dataset, rows, runs);
+void smooth(const Dataset& dataset, const CellGroup& cells, double level, Runs runs,
+            std::vector<ScatterSample>& samples) {
+  const Eigen::MatrixXd columns = smooth_columns(dataset, cells, runs);
   if (columns.rows() < columns.cols() + 3) return;
   Eigen::VectorXd ratio(columns.rows());
   Eigen::VectorXd weight(columns.rows());
   for (Eigen::Index i = 0; i < columns.rows(); ++i) {
-    const double measured = dataset.cells[cells[static_cast<std::size_t>(i)]].measured_N;
-    const double motor = dataset.rows[rows[static_cast<std::size_t>(i)]].conditions.motor_tension_N;
+    const std::size_t cell = cells[static_cast<std::size_t>(i)];
+    const double measured = dataset.cells[cell].measured_N;
+    const double motor = row_of(dataset, cell).conditions.motor_tension_N;
     ratio[i] = measured / motor;
     weight[i] = motor / (measured + 0.1 * level);
   }
@@ -79,13 +84,12 @@ void smooth(const Dataset& dataset, const std::vector<std::size_t>& rows, const 
   const Eigen::VectorXd scaled = weight.cwiseProduct(ratio);
   const Eigen::VectorXd left = scaled - q * (q.transpose() * scaled);
   for (Eigen::Index i = 0; i < left.size(); ++i) {
-    const DatasetRow& row = dataset.rows[rows[static_cast<std::size_t>(i)]];
+    const Cell& cell = dataset.cells[cells[static_cast<std::size_t>(i)]];
+    const DatasetRow& row = dataset.rows[cell.row];
     const double residual = left[i] / weight[i] * row.conditions.motor_tension_N;
-    const double measured = dataset.cells[cells[static_cast<std::size_t>(i)]].measured_N;
-    const double expected = std::max(measured - residual, 0.0);
+    const double expected = std::max(cell.measured_N - residual, 0.0);
     samples.push_back({expected, residual, 1 - q.row(i).squaredNorm(),
-                       motor_variance_of_reading(row, expected),
-                       rows[static_cast<std::size_t>(i)]});
+                       motor_variance_of_reading(row, expected), cell.row});
   }
 }
 
@@ -119,14 +123,11 @@ std::vector<ScatterSample> repeats(const Dataset& dataset, Runs runs, std::vecto
                          double, double, double, std::optional<double>>;
   const std::vector<bool> tells = tell_of_noise(dataset);
   std::map<Key, CellGroup> groups;
-  std::vector<std::size_t> row_of(dataset.cells.size());
-  for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
-    const DatasetRow& row = dataset.rows[r];
+  for (const DatasetRow& row : dataset.rows) {
     if (!row.has_motor_tension) continue;
     const Reading& reading = dataset.data->readings[row.reading];
     const Conditions& at = row.conditions;
     for (std::size_t i = row.first; i < row.last; ++i) {
-      row_of[i] = r;
       if (!tells[dataset.cells[i].channel]) continue;
       groups[{runs == Runs::by_themselves ? reading.run : 0, dataset.cells[i].channel,
               reading.routing, reading.grasp.held, reading.direction, at.motor_tension_N,
@@ -142,7 +143,8 @@ std::vector<ScatterSample> repeats(const Dataset& dataset, Runs runs, std::vecto
     for (const std::size_t i : group) mean += dataset.cells[i].measured_N / n;
     for (const std::size_t i : group) {
       samples.push_back({mean, dataset.cells[i].measured_N - mean, 1 - 1 / n,
-                         motor_variance_of_reading(dataset.rows[row_of[i]], mean), row_of[i]});
+                         motor_variance_of_reading(row_of(dataset, i), mean),
+                         dataset.cells[i].row});
       used[i] = 1;
     }
   }
@@ -155,22 +157,17 @@ std::vector<ScatterSample> smoothing(const Dataset& dataset, Runs runs,
   const std::vector<bool> tells = tell_of_noise(dataset);
   std::vector<ScatterSample> samples;
   using Key = std::tuple<std::size_t, std::size_t, std::uint64_t, Direction>;
-  std::map<Key, std::pair<std::vector<std::size_t>, CellGroup>> groups;
-  for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
-    const DatasetRow& row = dataset.rows[r];
+  std::map<Key, CellGroup> groups;
+  for (const DatasetRow& row : dataset.rows) {
     if (!row.has_motor_tension) continue;
     const Reading& reading = dataset.data->readings[row.reading];
     for (std::size_t i = row.first; i < row.last; ++i) {
       if (used[i] != 0 || !tells[dataset.cells[i].channel]) continue;
-      auto& [rows, cells] = groups[{dataset.cells[i].channel, reading.routing, reading.grasp.held,
-                                    reading.direction}];
-      rows.push_back(r);
-      cells.push_back(i);
+      groups[{dataset.cells[i].channel, reading.routing, reading.grasp.held, reading.direction}]
+          .push_back(i);
     }
   }
-  for (const auto& [key, group] : groups) {
-    smooth(dataset, group.first, group.second, level, runs, samples);
-  }
+  for (const auto& [key, cells] : groups) smooth(dataset, cells, level, runs, samples);
   return samples;
 }
 

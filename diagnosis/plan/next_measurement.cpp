@@ -43,28 +43,23 @@ std::optional<std::size_t> column_of(const MeasuredData& data, const Segment& se
   return static_cast<std::size_t>(found - data.channels.begin());
 }
 
-struct TriedLevels {
-  std::vector<double> values;
-  bool measured = false;  // the data have the column
-};
-
-// The least, the middle and the greatest that were measured, and what a rig could do beyond.
-template <typename Value>
-TriedLevels levels(const MeasuredData& data, Value value, const std::vector<double>& beyond) {
+// The middle, the least and the greatest that were measured, and what a rig could do beyond; none
+// of what was not measured.
+std::vector<double> levels(const MeasuredData& data, std::optional<double> Reading::*value,
+                           const std::vector<double>& beyond) {
   std::vector<double> seen;
   for (const Reading& reading : data.readings) {
-    if (const auto given = std::invoke(value, reading)) seen.push_back(*given);
+    if (reading.*value) seen.push_back(*(reading.*value));
   }
   if (seen.empty()) return {};
   std::ranges::sort(seen);
-  TriedLevels result{{seen[seen.size() / 2], seen.front(), seen.back()}, true};
-  result.values.insert(result.values.end(), beyond.begin(), beyond.end());
+  std::vector<double> all{seen[seen.size() / 2], seen.front(), seen.back()};
+  all.insert(all.end(), beyond.begin(), beyond.end());
   std::vector<double> once;
-  for (const double x : result.values) {
+  for (const double x : all) {
     if (std::ranges::find(once, x) == once.end()) once.push_back(x);
   }
-  result.values = std::move(once);
-  return result;
+  return once;
 }
 
 // Every measurement of one routing; conditions are varied one at a time, and the load with each.
@@ -75,15 +70,15 @@ class Measurements {
         speed_(levels(data, &Reading::speed_mm_s, {1, 100})),
         cycle_(levels(data, &Reading::cycle, {0, 1000})),
         temperature_(levels(data, &Reading::temperature_C, {10, 40})) {
-    if (!load_.measured) load_.values = {Conditions{}.motor_tension_N};
+    if (load_.empty()) load_ = {Conditions{}.motor_tension_N};
   }
 
   void for_each(const std::function<void(const Conditions&)>& use) const {
     Conditions usual;
-    if (speed_.measured) usual.speed_mm_s = speed_.values.front();
-    if (cycle_.measured) usual.cycle = cycle_.values.front();
-    if (temperature_.measured) usual.temperature_C = temperature_.values.front();
-    for (const double load : load_.values) {
+    if (!speed_.empty()) usual.speed_mm_s = speed_.front();
+    if (!cycle_.empty()) usual.cycle = cycle_.front();
+    if (!temperature_.empty()) usual.temperature_C = temperature_.front();
+    for (const double load : load_) {
       if (load <= 0) continue;
       Conditions at = usual;
       at.motor_tension_N = load;
@@ -95,16 +90,17 @@ class Measurements {
   }
 
  private:
-  static void vary(const Conditions& from, double Conditions::*what, const TriedLevels& levels,
+  static void vary(const Conditions& from, double Conditions::*what,
+                   const std::vector<double>& levels,
                    const std::function<void(const Conditions&)>& use) {
     Conditions at = from;
-    for (std::size_t i = 1; i < levels.values.size(); ++i) {
-      at.*what = levels.values[i];
+    for (std::size_t i = 1; i < levels.size(); ++i) {
+      at.*what = levels[i];
       use(at);
     }
   }
 
-  TriedLevels load_, speed_, cycle_, temperature_;
+  std::vector<double> load_, speed_, cycle_, temperature_;
 };
 
 // Readings of all strands and of the channels that the data have.
@@ -236,12 +232,8 @@ double width(const MatrixXd& information, Index parameter) {
   return 2 * normal_quantile * std::sqrt(std::max(column[parameter], 0.0));
 }
 
-}  // namespace
-
-std::optional<PlannedMeasurement> separating_measurement(const MeasurementPlan& plan,
-                                                         const Model& a, const std::string& name_a,
-                                                         const Model& b,
-                                                         const std::string& name_b) {
+std::optional<PlannedMeasurement> separating(const MeasurementPlan& plan, const Model& a,
+                                             const Model& b) {
   std::optional<PlannedMeasurement> best;
   for_each_measurement(plan, [&](const Reader& reader, const Measurement& at) {
     const VectorXd first = reader(a, at.grasp, at.direction, at.conditions);
@@ -260,14 +252,38 @@ std::optional<PlannedMeasurement> separating_measurement(const MeasurementPlan& 
     best->expected = expected_readings(reader, first, second, sd);
     mark_conditions(reader, {&a, &b}, best->measurement);
   });
-  if (best) {
-    best->between = {name_a, name_b};
-    best->why = fmt::format(
+  return best;
+}
+
+}  // namespace
+
+MeasurementPlan measurement_plan(const MeasuredData& data,
+                                 const std::vector<MeasurableRouting>& further,
+                                 const Noise& noise) {
+  MeasurementPlan plan{&data, {}, noise};
+  const auto add = [&](const MeasurableRouting& routing) {
+    const auto known = std::ranges::find(plan.routings, routing.word, &MeasurableRouting::word);
+    if (known == plan.routings.end()) plan.routings.push_back(routing);
+  };
+  for (const MeasuredRouting& measured : data.routings) add({measured.word, measured.routing});
+  for (const MeasurableRouting& routing : further) add(routing);
+  return plan;
+}
+
+std::optional<PlannedMeasurement> separating_measurement(const MeasurementPlan& plan,
+                                                         const std::vector<Model>& models,
+                                                         const std::vector<std::string>& names) {
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    auto found = separating(plan, models[0], models[i]);
+    if (!found) continue;
+    found->between = {names[0], names[i]};
+    found->why = fmt::format(
         "{} and {} predict different tensions there: {} readings are expected to favour "
         "the right one by {:.3g} nats",
-        name_a, name_b, planned_readings, best->expected_log_likelihood);
+        names[0], names[i], planned_readings, found->expected_log_likelihood);
+    return found;
   }
-  return best;
+  return std::nullopt;
 }
 
 std::optional<PlannedMeasurement> shrinking_measurement(const MeasurementPlan& plan,

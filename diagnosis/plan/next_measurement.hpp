@@ -64,15 +64,20 @@ struct PlannedMeasurement {
 };
 
 struct MeasurementPlan {
-  const MeasuredData* data = nullptr;
+  const MeasuredData* data = nullptr;       // must outlive the plan
   std::vector<MeasurableRouting> routings;  // to choose from
   Noise noise;
 };
 
-// Nothing if no measurement separates the two: they say the same of everything.
+// The data's routings first: what is on the rig is easiest to measure again.
+MeasurementPlan measurement_plan(const MeasuredData& data,
+                                 const std::vector<MeasurableRouting>& further, const Noise& noise);
+
+// Separates the first of these explanations from the first other one that can be separated from it.
+// Nothing if no measurement does: they say the same of everything.
 std::optional<PlannedMeasurement> separating_measurement(const MeasurementPlan& plan,
-                                                         const Model& a, const std::string& name_a,
-                                                         const Model& b, const std::string& name_b);
+                                                         const std::vector<Model>& models,
+                                                         const std::vector<std::string>& names);
 
 // Nothing if the model has no parameter that was fitted.
 std::optional<PlannedMeasurement> shrinking_measurement(const MeasurementPlan& plan,

@@ -25,30 +25,6 @@ Finding finding_of(const DiagnosisResult& result, std::vector<std::string> named
 
 }  // namespace
 
-MeasurementPlan measurement_plan(const MeasuredData& data,
-                                 const std::vector<MeasurableRouting>& further,
-                                 const Noise& noise) {
-  MeasurementPlan plan{&data, {}, noise};
-  const auto add = [&](const MeasurableRouting& routing) {
-    const bool known = std::ranges::any_of(
-        plan.routings, [&](const MeasurableRouting& other) { return other.word == routing.word; });
-    if (!known) plan.routings.push_back(routing);
-  };
-  for (const MeasuredRouting& measured : data.routings) add({measured.word, measured.routing});
-  for (const MeasurableRouting& routing : further) add(routing);
-  return plan;
-}
-
-std::optional<PlannedMeasurement> separating_measurement(const MeasurementPlan& plan,
-                                                         const std::vector<Model>& models,
-                                                         const std::vector<std::string>& names) {
-  for (std::size_t i = 1; i < names.size(); ++i) {
-    auto found = separating_measurement(plan, models[0], names[0], models[i], names[i]);
-    if (found) return found;
-  }
-  return std::nullopt;
-}
-
 const char* finding_name(Finding finding) {
   constexpr std::array names{"found", "wrong", "none", "unexplained", "indistinguishable"};
   return names[static_cast<std::size_t>(finding)];

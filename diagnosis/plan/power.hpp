@@ -4,28 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "diagnosis/diagnose.hpp"
-#include "diagnosis/plan/next_measurement.hpp"
 #include "numerics/binomial.hpp"
 
 namespace reeve::diagnosis {
-
-// From which measurements the next one is chosen, and which of them tells explanations apart.
-// The data's routings first: what is on the rig is easiest to measure again. `data` must outlive
-// the plan.
-MeasurementPlan measurement_plan(const MeasuredData& data,
-                                 const std::vector<MeasurableRouting>& further, const Noise& noise);
-
-// Returns the measurement that separates the first of several indistinguishable explanations from
-// the first other one that can be separated from it. Returns nothing if no measurement on this rig
-// separates any.
-std::optional<PlannedMeasurement> separating_measurement(const MeasurementPlan& plan,
-                                                         const std::vector<Model>& models,
-                                                         const std::vector<std::string>& names);
 
 // Outcome of a diagnosis if the hidden causes are known.
 enum class Finding : std::uint8_t {

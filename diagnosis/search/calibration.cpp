@@ -57,9 +57,9 @@ Model with_hardware_coefficients(Model model) {
 }
 
 Model calibrated(const Problem& problem, const Model& nominal,
-                 const std::vector<Candidate>& coefficients, Workers& workers) {
+                 const std::vector<Effect>& coefficients, Workers& workers) {
   Model model = nominal;
-  for (const Candidate& coefficient : coefficients) add_effect(model, coefficient.effect);
+  for (const Effect& coefficient : coefficients) add_effect(model, coefficient);
   if (model.effects.empty()) return model;
   model = from_each_start(problem, model, workers);
   for (std::size_t e = first_vague(problem, model); e < model.effects.size();

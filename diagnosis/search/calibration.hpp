@@ -10,7 +10,6 @@
 
 #include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/intervals.hpp"
-#include "diagnosis/search/candidates.hpp"
 #include "numerics/parallel.hpp"
 
 namespace reeve::diagnosis {
@@ -23,7 +22,7 @@ Model with_hardware_coefficients(Model model);
 
 // The model with each of these coefficients free, fitted from several starts.
 Model calibrated(const Problem& problem, const Model& nominal,
-                 const std::vector<Candidate>& coefficients, Workers& workers);
+                 const std::vector<Effect>& coefficients, Workers& workers);
 
 struct Calibration {
   Effect effect;  // fitted

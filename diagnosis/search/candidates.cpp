@@ -17,29 +17,27 @@ double nominal_or_middle(const Parameter& parameter) {
 
 }  // namespace
 
-std::vector<Candidate> candidates(const Survey& survey, const Hardware& hardware,
-                                  double force_scale) {
-  std::vector<Candidate> result;
+std::vector<Effect> candidates(const Survey& survey, const Hardware& hardware, double force_scale) {
+  std::vector<Effect> result;
   for (const Cause* cause : cause_library()) {
     const ContactLaw* law = cause->law(hardware);
     if (law != nullptr && law->known) continue;
+    std::vector<double> values;
+    for (const Parameter& parameter : searched_parameters(*cause, hardware, force_scale)) {
+      values.push_back(nominal_or_middle(parameter));
+    }
     for (const Subject& subject : cause->subjects(survey)) {
-      Candidate candidate{
-          {cause, subject, {}}, searched_parameters(*cause, hardware, force_scale), {}};
-      for (const Parameter& parameter : candidate.parameters) {
-        candidate.effect.values.push_back(nominal_or_middle(parameter));
-      }
-      candidate.name = effect_name(candidate.effect);
-      result.push_back(std::move(candidate));
+      result.push_back({cause, subject, values});
     }
   }
   return result;
 }
 
-std::vector<std::vector<double>> shapes(const Candidate& candidate) {
-  std::vector<std::vector<double>> result{candidate.effect.values};
-  for (std::size_t p = 1; p < candidate.parameters.size(); ++p) {
-    const Range range = candidate.parameters[p].range;
+std::vector<std::vector<double>> shapes(const Effect& candidate,
+                                        const std::vector<Parameter>& parameters) {
+  std::vector<std::vector<double>> result{candidate.values};
+  for (std::size_t p = 1; p < parameters.size(); ++p) {
+    const Range range = parameters[p].range;
     std::vector<std::vector<double>> finer;
     for (const std::vector<double>& values : result) {
       for (int i = 0; i < shapes_tried; ++i) {
@@ -50,12 +48,6 @@ std::vector<std::vector<double>> shapes(const Candidate& candidate) {
     result = std::move(finer);
   }
   return result;
-}
-
-std::string detail(const Effect& effect) {
-  const Subject& subject = effect.subject;
-  if (!subject.recorded || !subject.actual) return {};
-  return "recorded " + to_text(*subject.recorded) + ", measured " + to_text(*subject.actual);
 }
 
 }  // namespace reeve::diagnosis

@@ -15,17 +15,17 @@ using Eigen::VectorXd;
 
 // The slope by the size, in N; it is 0 where the model has no tensions beside it.
 VectorXd by_size(const Dataset& dataset, const Model& model, std::size_t effect,
-                 const Parameter& parameter) {
+                 const Range& range) {
   constexpr double small = 1e-4;
-  const double step = small * (parameter.range.high - parameter.range.low);
+  const double step = small * (range.high - range.low);
   const double value = model.effects[effect].values.front();
   const auto moved = [&](double to) {
     Model there = model;
     there.effects[effect].values.front() = to;
     return there;
   };
-  const double up = std::min(value + step, parameter.range.high);
-  const double down = std::max(value - step, parameter.range.low);
+  const double up = std::min(value + step, range.high);
+  const double down = std::max(value - step, range.low);
   return reading_slope(dataset, moved(down), moved(up), up - down)
       .value_or(VectorXd::Zero(static_cast<Index>(dataset.cells.size())));
 }
@@ -39,46 +39,47 @@ double gain_from_misfits(double before, double after, double degrees_of_freedom)
 }
 
 CauseScreening::CauseScreening(const Dataset& dataset, const Model& model, const Forecast& at,
-                               const std::vector<Candidate>& candidates, Workers& workers)
-    : all_(dataset), candidates_(candidates) {
+                               const std::vector<Effect>& candidates, Workers& workers)
+    : all_(dataset) {
+  const double scale = force_scale(*dataset.data);
   for (std::size_t c = 0; c < candidates.size(); ++c) {
-    for (const std::vector<double>& values : shapes(candidates[c])) probes_.push_back({c, values});
+    const auto parameters = searched_parameters(*candidates[c].cause, model.hardware, scale);
+    const Range size = parameters.empty() ? Range{} : parameters.front().range;
+    for (const std::vector<double>& values : shapes(candidates[c], parameters)) {
+      probes_.push_back({c, values, size});
+    }
   }
   columns_N_.setZero(at.reading_N.size(), static_cast<Index>(probes_.size()));
   workers.for_each_block(probes_.size(), 1, [&](const IndexBlock& block) {
     const Probe& probe = probes_[block.begin];
-    Effect effect = candidates[probe.candidate].effect;
+    Effect effect = candidates[probe.candidate];
     effect.values = probe.values;
     const Extended with = extended(model, effect);
     auto column = columns_N_.col(static_cast<Index>(block.begin));
-    if (has_size(probe)) {
-      column =
-          by_size(dataset, with.model, with.effect, candidates[probe.candidate].parameters.front());
+    if (probe.has_size()) {
+      column = by_size(dataset, with.model, with.effect, probe.size);
     } else if (const auto there = try_forecast(dataset, with.model)) {
       column = there->reading_N - at.reading_N;
     }
   });
 }
 
-double CauseScreening::raw_gain(const Probe& probe, double along, double square) const {
+double CauseScreening::Probe::raw_gain(double along, double square) const {
   if (square == 0) return 0;
-  if (!has_size(probe)) return std::max(0.0, along - square / 2);
-  const Range range = candidates_[probe.candidate].parameters.front().range;
-  const double nominal = probe.values.front();
-  const bool possible = along > 0 ? range.high > nominal : range.low < nominal;
+  if (!has_size()) return std::max(0.0, along - square / 2);
+  const bool possible = along > 0 ? size.high > values.front() : size.low < values.front();
   return possible ? along * along / (2 * square) : 0;
 }
 
-void CauseScreening::add_starts(const Probe& probe, double size, ScreenedCause& to) const {
-  if (!has_size(probe)) {
-    to.starts = {probe.values};
+void CauseScreening::Probe::add_starts(double first_order, ScreenedCause& to) const {
+  if (!has_size()) {
+    to.starts = {values};
     return;
   }
-  const Range range = candidates_[probe.candidate].parameters.front().range;
   for (const double value :
-       {probe.values.front() + size, range.low + 0.25 * (range.high - range.low)}) {
-    to.starts.push_back(probe.values);
-    to.starts.back().front() = std::clamp(value, range.low, range.high);
+       {values.front() + first_order, size.low + 0.25 * (size.high - size.low)}) {
+    to.starts.push_back(values);
+    to.starts.back().front() = std::clamp(value, size.low, size.high);
   }
 }
 
@@ -96,14 +97,14 @@ std::vector<ScreenedCause> CauseScreening::run(const Problem& problem, const For
   std::map<std::size_t, ScreenedCause> found;
   for (std::size_t p = 0; p < probes_.size(); ++p) {
     const auto k = static_cast<Index>(p);
-    const double raw = raw_gain(probes_[p], along[k], squares[k]);
+    const double raw = probes_[p].raw_gain(along[k], squares[k]);
     const double gain =
         gain_from_misfits(before, before - 2 * raw, projection.degrees_of_freedom());
     if (!(gain > 0)) continue;
     ScreenedCause& cause = found[probes_[p].candidate];
     cause.candidate = probes_[p].candidate;
     cause.gain = std::max(cause.gain, gain);
-    add_starts(probes_[p], along[k] / squares[k], cause);
+    probes_[p].add_starts(along[k] / squares[k], cause);
   }
   std::vector<ScreenedCause> result;
   for (auto& [candidate, cause] : found) result.push_back(std::move(cause));

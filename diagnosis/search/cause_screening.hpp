@@ -32,10 +32,9 @@ struct ScreenedCause {
 
 class CauseScreening {
  public:
-  // Columns of all readings; parts of them are screened by these, too. The dataset and the
-  // candidates must outlive it.
+  // Columns of all readings; parts of them are screened by these, too. The dataset must outlive it.
   CauseScreening(const Dataset& dataset, const Model& model, const Forecast& at,
-                 const std::vector<Candidate>& candidates, Workers& workers);
+                 const std::vector<Effect>& candidates, Workers& workers);
 
   // Returns the causes that gain, the greatest gain first. The problem covers some of the readings.
   std::vector<ScreenedCause> run(const Problem& problem, const Forecast& at,
@@ -47,14 +46,14 @@ class CauseScreening {
   struct Probe {
     std::size_t candidate = 0;
     std::vector<double> values;
+    Range size;
+
+    bool has_size() const { return !values.empty(); }
+    double raw_gain(double along, double square) const;
+    void add_starts(double first_order, ScreenedCause& to) const;
   };
 
-  bool has_size(const Probe& probe) const { return candidates_[probe.candidate].has_size(); }
-  double raw_gain(const Probe& probe, double along, double square) const;
-  void add_starts(const Probe& probe, double size, ScreenedCause& to) const;
-
   const Dataset& all_;
-  const std::vector<Candidate>& candidates_;
   std::vector<Probe> probes_;
   Eigen::MatrixXd columns_N_;
 };

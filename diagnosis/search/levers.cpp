@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -23,30 +22,35 @@ constexpr std::array site_kinds{ContactKind::tube, ContactKind::sheath, ContactK
                                 ContactKind::block};
 
 struct ContactColumn {
-  ContactKind kind = ContactKind::tube;
-  std::size_t number = 0;
+  NumberedContact contact;
   VectorXd by_exponent_N;
 };
 
-VectorXd by_exponent(const Dataset& dataset, const Model& model, const ContactColumn& slot) {
+VectorXd by_exponent(const Dataset& dataset, const Model& model, const NumberedContact& contact) {
   constexpr double step = 1e-4;
-  const auto cause = exponent_of_one(slot.kind, slot.number, ExponentChange::added);
-  const auto moved = [&](double by) {
+  const auto changed = [&](double by) {
+    return [&contact, by](double phi, const ContactLoad& load) {
+      return contact.is(load) ? phi + by : phi;
+    };
+  };
+  const ChangedExponents less(changed(-step)), more(changed(step));
+  const auto with = [&](const Cause& exponents) {
     Model there = model;
-    there.effects.push_back({cause.get(), {}, {by}});
+    there.effects.push_back({&exponents, {}, {}});
     return there;
   };
-  return reading_slope(dataset, moved(-step), moved(step), 2 * step)
+  return reading_slope(dataset, with(less), with(more), 2 * step)
       .value_or(VectorXd::Zero(static_cast<Index>(dataset.cells.size())));
 }
 
 std::vector<ContactColumn> slots(const Dataset& dataset, const Model& model, Workers& workers) {
   std::vector<ContactColumn> result;
   for (const ContactKind kind : site_kinds) {
-    for (std::size_t n = 0; n < most_of_a_kind(dataset, kind); ++n) result.push_back({kind, n, {}});
+    for (std::size_t n = 0; n < most_of_a_kind(dataset, kind); ++n)
+      result.push_back({{kind, n}, {}});
   }
   workers.for_each_block(result.size(), 1, [&](const IndexBlock& block) {
-    result[block.begin].by_exponent_N = by_exponent(dataset, model, result[block.begin]);
+    result[block.begin].by_exponent_N = by_exponent(dataset, model, result[block.begin].contact);
   });
   return result;
 }
@@ -94,7 +98,7 @@ class LeversOf {
       for (const causes::SolvedContact& contact : contacts_[r]) {
         if (!is_in(site, r, contact)) continue;
         const ContactColumn& slot = *std::ranges::find_if(slots_, [&](const ContactColumn& each) {
-          return each.kind == contact.kind && each.number == contact.number;
+          return each.contact.kind == contact.kind && each.contact.number == contact.number;
         });
         const double factor = factor_of(target, contact);
         for (auto i = static_cast<Index>(row.first); i < static_cast<Index>(row.last); ++i) {

@@ -56,10 +56,8 @@ class RivalTerms {
   }
 
  private:
-  double price_of(const Candidate& candidate) const {
-    const auto alike = std::ranges::count_if(words_.causes, [&](const Candidate& other) {
-      return other.effect.cause == candidate.effect.cause;
-    });
+  double price_of(const Effect& candidate) const {
+    const auto alike = std::ranges::count(words_.causes, candidate.cause, &Effect::cause);
     return price_of_name() + std::log(static_cast<double>(alike));
   }
 
@@ -73,19 +71,19 @@ class RivalTerms {
     constexpr std::size_t few = 2;
     std::vector<std::size_t> whether;
     for (std::size_t c = 0; c < words_.causes.size(); ++c) {
-      if (!words_.causes[c].has_size() && !has(from_.model, words_.causes[c].effect))
-        whether.push_back(c);
+      const Effect& cause = words_.causes[c];
+      if (cause.values.empty() && !has(from_.model, cause)) whether.push_back(c);
     }
     std::vector<std::pair<double, std::size_t>> left(whether.size());
     search_.workers.for_each_block(whether.size(), 1, [&](const IndexBlock& block) {
-      const Extended with = extended(from_.model, words_.causes[whether[block.begin]].effect);
+      const Extended with = extended(from_.model, words_.causes[whether[block.begin]]);
       left[block.begin] = {misfit(from_.likelihood.problem, with_hardware_coefficients(with.model)),
                            whether[block.begin]};
     });
     std::ranges::sort(left);
     std::vector<Effect> result;
     for (std::size_t i = 0; i < std::min(few, left.size()); ++i) {
-      result.push_back(words_.causes[left[i].second].effect);
+      result.push_back(words_.causes[left[i].second]);
     }
     return result;
   }
@@ -99,10 +97,8 @@ class RivalTerms {
       if (!has(from_.model, contender.effect)) result.push_back(std::move(contender));
     };
     if (words_.effort.beside_hardware) {
-      for (Effect& effect : likeliest_beside_the_hardware()) {
-        const std::vector<double> values = effect.values;
-        const double price = price_of({effect, {}, effect_name(effect)});
-        add({std::move(effect), {values}, price, &views.front()});
+      for (const Effect& effect : likeliest_beside_the_hardware()) {
+        add({effect, {effect.values}, price_of(effect), &views.front()});
       }
     }
     for (const Likelihood& view : views) {
@@ -111,19 +107,18 @@ class RivalTerms {
       std::size_t sizes = words_.effort.causes;
       std::size_t faults = words_.effort.faults;
       for (const ScreenedCause& cause : screened.causes.run(view.problem, at, projection, left)) {
-        const Candidate& candidate = words_.causes[cause.candidate];
-        std::size_t& more = candidate.has_size() ? sizes : faults;
+        const Effect& candidate = words_.causes[cause.candidate];
+        std::size_t& more = candidate.values.empty() ? faults : sizes;
         if (more == 0) continue;
         --more;
-        add({candidate.effect, cause.starts, price_of(candidate), &view});
+        add({candidate, cause.starts, price_of(candidate), &view});
       }
       for (const Effect& term : words_.terms) {
         add({term, {term.values}, price_of_name(), &view});
       }
-      for (ScreenedLaw& law :
+      for (const ScreenedLaw& law :
            best_laws(screened.laws, view.problem, at, projection, left, words_.effort.laws)) {
-        const std::vector<double> values = law.effect.values;
-        add({std::move(law.effect), {values}, law.price, &view});
+        add({law.effect, {law.effect.values}, law.price, &view});
       }
     }
     return result;
@@ -133,9 +128,10 @@ class RivalTerms {
   std::vector<Contender> forms_of_the_best_law(const std::vector<Scored>& ways) const {
     std::vector<Contender> result;
     for (const Scored& way : ways) {
-      if (way.term.effect.cause == nullptr || !is_near(way.evidence, ways.front().evidence) ||
-          !result.empty())
+      if (way.term.effect.cause == nullptr || !result.empty() ||
+          !is_near(way.evidence, ways.front().evidence, from_.evidence)) {
         break;
+      }
       for (LawForm& form : other_forms(way.term.effect)) {
         result.push_back({std::move(form.effect), std::move(form.starts),
                           way.term.price + form.more_price, &way.likelihood});
@@ -188,13 +184,6 @@ class RivalTerms {
     return effect.cause->shows_between(least, greatest, effect);
   }
 
-  // True if it could be the likeliest at another level of scatter, or hardly less likely.
-  bool is_near(double evidence, double best) const {
-    constexpr double near = 0.2;
-    constexpr double nats = 10;
-    return evidence >= best - std::max(nats, near * (best - from_.evidence));
-  }
-
   void see_at_all_levels(std::vector<Scored>& ways) const {
     constexpr std::size_t at_least = 4;  // of each view: what explains mountings is far off in one
     if (ways.empty()) return;
@@ -207,7 +196,7 @@ class RivalTerms {
     search_.workers.for_each_block(ways.size(), 1, [&](const IndexBlock& block) {
       Scored& way = ways[block.begin];
       if (way.term.effect.cause == nullptr) return;
-      if (place[block.begin] >= at_least && !is_near(way.evidence, best)) return;
+      if (place[block.begin] >= at_least && !is_near(way.evidence, best, from_.evidence)) return;
       Scored seen = search_.scored(std::move(way.model));
       seen.evidence -= search_.cost(way.term);
       seen.term = std::move(way.term);
@@ -224,6 +213,12 @@ class RivalTerms {
 
 void most_evident_first(std::vector<Scored>& ways) {
   std::ranges::stable_sort(ways, std::greater{}, &Scored::evidence);
+}
+
+bool is_near(double evidence, double best, double from) {
+  constexpr double near = 0.2;
+  constexpr double nats = 10;
+  return evidence >= best - std::max(nats, near * (best - from));
 }
 
 std::vector<Likelihood> views(const SearchedModel& search, const Effort& effort) {

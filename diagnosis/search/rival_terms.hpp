@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "diagnosis/search/candidates.hpp"
 #include "diagnosis/search/cause_screening.hpp"
 #include "diagnosis/search/law_families.hpp"
 #include "diagnosis/search/searched_model.hpp"
@@ -34,14 +33,18 @@ struct Effort {
 
 // Terms that may join a model beside the coefficients.
 struct Vocabulary {
-  const std::vector<Candidate>& causes;
-  const std::vector<Effect>& terms;  // laws of the user's, at the price of a name of the library
+  const std::vector<Effect>& causes;  // candidates
+  const std::vector<Effect>& terms;   // laws of the user's, at the price of a name of the library
   Effort effort{};
   // The columns about the model after so many accepted terms.
   std::function<const Screened&(const Model&, std::size_t)> screened{};
 };
 
 void most_evident_first(std::vector<Scored>& ways);
+
+// True if a way on from a model of the evidence `from` could be the likeliest at another level of
+// scatter, or hardly less likely.
+bool is_near(double evidence, double best, double from);
 
 // How the current model's readings are seen: as is likeliest, and with mountings that hardly differ
 // and with a motor that does not scatter, so that a term can explain what they would.

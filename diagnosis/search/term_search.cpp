@@ -38,7 +38,7 @@ class Searching {
     result_.most_causes = options.most_causes.value_or(carried_terms(dataset));
   }
 
-  void calibrate(const Model& nominal, const std::vector<Candidate>& coefficients) {
+  void calibrate(const Model& nominal, const std::vector<Effect>& coefficients) {
     result_.base = nominal;
     // The rounds fit what readings weigh, and then what fits them.
     for (int round = 0; round < 2; ++round) {
@@ -49,35 +49,33 @@ class Searching {
     search_.reshape(result_.base);
   }
 
-  bool find(const std::function<bool(const char*)>& stop) {
+  void find(const std::function<void(const char*)>& stage) {
     std::set<std::set<std::string>> met;  // a term may be accepted and lose its place at once
     while (accepted().size() < result_.most_causes && met.insert(names(accepted())).second) {
-      if (stop("searching for causes")) return false;
+      stage("searching for causes");
       if (!accept_best()) break;
       drop_superfluous(search_);
       for (std::size_t c = 0; c + 1 < accepted().size() && !words_.effort.level; ++c) {
-        if (stop("weighing other causes")) return false;
+        stage("weighing other causes");
         defend(search_, words_, c);
       }
       move_steps();
     }
     for (std::size_t c = 0; c < accepted().size() && !words_.effort.level; ++c) {
-      if (stop("weighing other causes")) return false;
+      stage("weighing other causes");
       defend(search_, words_, c);
     }
     if (!words_.effort.level) drop_superfluous(search_);
     for (std::size_t c = 0; c < accepted().size(); ++c) {
       accepted()[c].evidence = search_.now.evidence - search_.without_term(c).evidence;
     }
-    return true;
   }
 
   Explanation take() {
-    result_.shape = search_.shape;
     result_.accepted = search_.accepted;
     result_.model = search_.now.model;
     result_.problem = search_.now.likelihood.problem;
-    result_.scatter = fitted_scatter(result_.shape, search_.now.likelihood);
+    result_.scatter = fitted_scatter(search_.shape, search_.now.likelihood);
     result_.calibrations =
         calibrations(result_.problem, result_.model, result_.mounting_degrees(), alpha_);
     result_.instead.resize(result_.calibrations.size());
@@ -185,7 +183,7 @@ class Searching {
       accepted().push_back(ways[i].term);
       search_.settle(ways[i].model);
       if (search_.now.evidence >= before.evidence + least_evidence) {
-        look_again({ways.begin() + static_cast<std::ptrdiff_t>(i), ways.end()}, rise);
+        look_again({ways.begin() + static_cast<std::ptrdiff_t>(i), ways.end()}, before.evidence);
         free_crossing();
         return true;
       }
@@ -198,13 +196,11 @@ class Searching {
 
   // Seen with the scatter that the accepted term leaves, a near one may be likelier: where a
   // contact rubs more than was thought, its mountings differ more, too.
-  void look_again(const std::vector<Scored>& ways, double rise) {
+  void look_again(const std::vector<Scored>& ways, double from) {
     constexpr std::size_t looked_at = 5;
-    constexpr double near = 0.2;
-    constexpr double at_least = 10;
     constexpr double hardly = 0.01;  // scatter of the ends of fits
     for (std::size_t i = 1; i < std::min(looked_at, ways.size()); ++i) {
-      if (ways[i].evidence < ways[0].evidence - std::max(at_least, near * rise)) return;
+      if (!is_near(ways[i].evidence, ways[0].evidence, from)) return;
       const AcceptedTerm own = std::exchange(accepted().back(), ways[i].term);
       Scored other = search_.fitted(ways[i].model);
       if (other.evidence > search_.now.evidence + hardly) {
@@ -289,11 +285,11 @@ class Searching {
 };
 
 // Coefficients that are free in every model, and what is searched.
-std::pair<std::vector<Candidate>, std::vector<Candidate>> parted(
-    const std::vector<Candidate>& candidates, const Hardware& hardware) {
-  std::pair<std::vector<Candidate>, std::vector<Candidate>> parts;
-  for (const Candidate& candidate : candidates) {
-    const bool is_open = is_open_coefficient(candidate.effect, hardware);
+std::pair<std::vector<Effect>, std::vector<Effect>> parted(const std::vector<Effect>& candidates,
+                                                           const Hardware& hardware) {
+  std::pair<std::vector<Effect>, std::vector<Effect>> parts;
+  for (const Effect& candidate : candidates) {
+    const bool is_open = is_open_coefficient(candidate, hardware);
     (is_open ? parts.first : parts.second).push_back(candidate);
   }
   return parts;
@@ -312,14 +308,14 @@ double Explanation::mounting_degrees() const {
 }
 
 TermSearch::TermSearch(const Dataset& dataset, const Model& nominal,
-                       const std::vector<Candidate>& candidates, const TermSearchOptions& options,
+                       const std::vector<Effect>& candidates, const TermSearchOptions& options,
                        Workers& workers)
     : dataset_(dataset), nominal_(nominal), options_(options), workers_(workers) {
   std::tie(coefficients_, causes_) = parted(candidates, nominal.hardware);
 }
 
-std::optional<Explanation> TermSearch::run(const std::function<bool(const char*)>& stop) {
-  if (stop("calibrating coefficients")) return std::nullopt;
+Explanation TermSearch::run(const std::function<void(const char*)>& stage) {
+  stage("calibrating coefficients");
   screened_.reserve(static_cast<std::size_t>(most_terms) + 2);
   const auto screened = [&](const Model& model, std::size_t step) -> const Screened& {
     if (step >= screened_.size() && screened_.size() < screened_.capacity()) {
@@ -333,17 +329,16 @@ std::optional<Explanation> TermSearch::run(const std::function<bool(const char*)
     auto search = std::make_unique<Searching>(
         dataset_, Vocabulary{causes_, options_.terms, effort, screened}, options, workers_);
     search->calibrate(nominal_, coefficients_);
-    return search->find(stop) ? std::move(search) : nullptr;
+    search->find(stage);
+    return search;
   };
   auto best = searched({}, options_);
-  if (!best) return std::nullopt;
   // A law that follows what two causes do together is accepted before either of them. Names that
   // are no more than the terms found are looked for by themselves.
   if (best->has_laws()) {
     TermSearchOptions no_more = options_;
     no_more.most_causes = best->terms();
     auto names = searched({.laws = 0}, no_more);
-    if (!names) return std::nullopt;
     if (names->evidence() > best->evidence()) best = std::move(names);
   }
   level_ = best->level();
@@ -362,13 +357,13 @@ Explanation TermSearch::run_on(const Dataset& part, Workers& workers) const {
   const Effort quick{4, 2, 3, level_, has_a_fault};
   Searching searching(part, {causes_, options_.terms, quick, screened}, options_, workers);
   searching.calibrate(nominal_, coefficients_);
-  searching.find([](const char*) { return false; });
+  searching.find([](const char*) {});
   searching.compare_with(model_, accepted_);
   return searching.take();
 }
 
 Explanation nothing_explained(const Dataset& dataset, const Model& nominal,
-                              const std::vector<Candidate>& candidates,
+                              const std::vector<Effect>& candidates,
                               const TermSearchOptions& options, Workers& workers) {
   const auto [coefficients, causes] = parted(candidates, nominal.hardware);
   Searching searching(dataset, {causes, options.terms}, options, workers);
@@ -378,7 +373,7 @@ Explanation nothing_explained(const Dataset& dataset, const Model& nominal,
 
 Explanation without_term(const Dataset& dataset, const Explanation& found, std::size_t cause,
                          const TermSearchOptions& options, Workers& workers) {
-  const std::vector<Candidate> none;
+  const std::vector<Effect> none;
   Searching searching(dataset, {none, options.terms}, options, workers);
   searching.go_on_without(found, cause);
   return searching.take();

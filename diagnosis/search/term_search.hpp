@@ -13,21 +13,21 @@
 #include <vector>
 
 #include "diagnosis/search/calibration.hpp"
-#include "diagnosis/search/candidates.hpp"
 #include "diagnosis/search/rival_terms.hpp"
 #include "diagnosis/search/searched_model.hpp"
 
 namespace reeve::diagnosis {
 
 struct TermSearchOptions {
-  double alpha = 0.02;  // chance for coefficients that differ
-  std::optional<std::size_t> most_causes;
+  double alpha = 0.02;                     // chance for coefficients that differ
+  std::optional<std::size_t> most_causes;  // beside coefficients; none: as many as the data carry
+  // Relative standard deviation of friction exponents from mounting to mounting, if it is known.
   std::optional<double> mounting_scatter;
-  std::vector<Effect> terms{};  // laws of the user's, at the price of a name of the library
+  // Laws that are looked for, from these values on, at the price of a name of the library.
+  std::vector<Effect> terms{};
 };
 
 struct Explanation {
-  ScatterShape shape;
   Problem problem;  // seen from the model
   Scatter scatter;
   Model base;   // with the coefficients that the data tell
@@ -50,7 +50,7 @@ struct Explanation {
 
 // The explanation of readings that are too few to look for anything.
 Explanation nothing_explained(const Dataset& dataset, const Model& nominal,
-                              const std::vector<Candidate>& candidates,
+                              const std::vector<Effect>& candidates,
                               const TermSearchOptions& options, Workers& workers);
 
 // The explanation without one of the accepted causes, with the scatter that is likeliest then.
@@ -60,11 +60,11 @@ Explanation without_term(const Dataset& dataset, const Explanation& found, std::
 class TermSearch {
  public:
   // Everything must outlive it.
-  TermSearch(const Dataset& dataset, const Model& nominal, const std::vector<Candidate>& candidates,
+  TermSearch(const Dataset& dataset, const Model& nominal, const std::vector<Effect>& candidates,
              const TermSearchOptions& options, Workers& workers);
 
-  // Returns nothing if it was stopped; `stop` is called with the name of each stage.
-  std::optional<Explanation> run(const std::function<bool(const char*)>& stop);
+  // `stage` is called with the name of each stage.
+  Explanation run(const std::function<void(const char*)>& stage);
 
   // The same search on some of the runs, by the columns that `run` has made. Any thread may.
   Explanation run_on(const Dataset& part, Workers& workers) const;
@@ -74,8 +74,8 @@ class TermSearch {
   const Model& nominal_;
   const TermSearchOptions& options_;
   Workers& workers_;
-  std::vector<Candidate> coefficients_;
-  std::vector<Candidate> causes_;
+  std::vector<Effect> coefficients_;
+  std::vector<Effect> causes_;
   std::vector<Screened> screened_;
   // Results of the search on all readings.
   ScatterLevel level_;

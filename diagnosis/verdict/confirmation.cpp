@@ -14,15 +14,6 @@ bool is_of_a_group(const AcceptedTerm& accepted) {
   return term != nullptr && !term->site.group.empty();
 }
 
-std::vector<std::size_t> readings_beside(const Dataset& all, const Fold& fold) {
-  const std::vector<std::size_t> own = readings_in(fold.unseen);
-  std::vector<std::size_t> others;
-  for (const std::size_t i : readings_in(all)) {
-    if (!std::ranges::binary_search(own, i)) others.push_back(i);
-  }
-  return others;
-}
-
 }  // namespace
 
 std::string run_apart(const AcceptedTerm& accepted) {
@@ -43,11 +34,12 @@ Model fitted_without(const Problem& seen, Model model, const std::string& name) 
   return fit(seen, model).model;
 }
 
-Confirmation::Confirmation(const Dataset& training, const Model& nominal, TermSearchOptions options,
-                           std::vector<Fold> folds, Explanation& found, Workers& workers)
+Confirmation::Confirmation(const Dataset& training, const Model& nominal,
+                           const TermSearchOptions& options, std::vector<Fold> folds,
+                           Explanation& found, Workers& workers)
     : training_(training),
       nominal_(nominal),
-      options_(std::move(options)),
+      options_(options),
       folds_(std::move(folds)),
       found_(found),
       workers_(workers) {}
@@ -106,8 +98,7 @@ void Confirmation::keep_what_is_named() {
         of_fold.push_back(accepted);
       }
     }
-    const Dataset training = dataset(*training_.data, readings_beside(training_, fold));
-    fold.found.model = fit(problem(training, fold.found.scatter, model, workers_), model).model;
+    fold.found.model = fit(problem(fold.seen, fold.found.scatter, model, workers_), model).model;
     fold.forecast = try_forecast(fold.unseen, fold.found.model).value_or(fold.base);
   }
   without_.clear();
@@ -150,19 +141,14 @@ bool Confirmation::is_worse_on_unseen_runs(const Forecast& likely, const Forecas
 const Forecast& Confirmation::without(const std::string& name) {
   const auto known = without_.find(name);
   if (known != without_.end()) return known->second;
-  std::vector<Fold> folds;
-  for (const Fold& fold : folds_) {
-    Fold own{fold.unseen, {}, {}, {}, fold.forecast};
+  const auto of_fold = [&](const Fold& fold) {
     const std::string its = its_name_in(fold.found.model, name);
-    if (!its.empty()) {
-      const Dataset training = dataset(*training_.data, readings_beside(training_, fold));
-      const Problem seen = problem(training, fold.found.scatter, fold.found.model, workers_);
-      own.forecast = try_forecast(fold.unseen, fitted_without(seen, fold.found.model, its))
-                         .value_or(fold.nominal);
-    }
-    folds.push_back(std::move(own));
-  }
-  return without_.emplace(name, joined(folds, training_, &Fold::forecast)).first->second;
+    if (its.empty()) return fold.forecast;
+    const Problem seen = problem(fold.seen, fold.found.scatter, fold.found.model, workers_);
+    return try_forecast(fold.unseen, fitted_without(seen, fold.found.model, its))
+        .value_or(fold.nominal);
+  };
+  return without_.emplace(name, joined(folds_, training_, of_fold)).first->second;
 }
 
 // Empty if the model has neither a cause of this name nor one that stands for it and is no other

@@ -26,8 +26,8 @@ Model fitted_without(const Problem& seen, Model model, const std::string& name);
 
 class Confirmation {
  public:
-  // All but options and folds must outlive it; `found` is what the search on all runs has found.
-  Confirmation(const Dataset& training, const Model& nominal, TermSearchOptions options,
+  // All but the folds must outlive it; `found` is what the search on all runs has found.
+  Confirmation(const Dataset& training, const Model& nominal, const TermSearchOptions& options,
                std::vector<Fold> folds, Explanation& found, Workers& workers);
 
   // Removes from what was found what is not confirmed, and what is of one group, which is compared
@@ -52,7 +52,7 @@ class Confirmation {
 
   const Dataset& training_;
   const Model& nominal_;
-  TermSearchOptions options_;
+  const TermSearchOptions& options_;
   std::vector<Fold> folds_;
   Explanation& found_;
   Workers& workers_;

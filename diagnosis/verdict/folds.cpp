@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "causes/term.hpp"
 #include "diagnosis/search/defence.hpp"
 
 namespace reeve::diagnosis {
-namespace {
 
 using Eigen::Index;
-
-}  // namespace
 
 std::vector<std::size_t> readings_in(const Dataset& part) {
   std::vector<std::size_t> readings;
@@ -32,11 +31,9 @@ std::vector<std::size_t> dealt_runs(const MeasuredData& data,
   return fold;
 }
 
-std::optional<std::vector<Fold>> cross_validated(const MeasuredData& data,
-                                                 const std::vector<std::size_t>& readings,
-                                                 const Model& nominal, const TermSearch& search,
-                                                 Workers& workers,
-                                                 const std::function<bool()>& stop) {
+std::vector<Fold> cross_validated(const MeasuredData& data,
+                                  const std::vector<std::size_t>& readings, const Model& nominal,
+                                  const TermSearch& search, Workers& workers) {
   std::vector<Fold> result;
   std::vector<std::size_t> runs;
   for (const std::size_t i : readings) runs.push_back(data.readings[i].run);
@@ -45,22 +42,20 @@ std::optional<std::vector<Fold>> cross_validated(const MeasuredData& data,
   if (runs.size() < 2) return result;
   const std::size_t folds = std::min(most_folds, runs.size());
   const std::vector<std::size_t> fold_of = dealt_runs(data, readings, folds);
-  if (stop()) return std::nullopt;
   std::vector<std::optional<Fold>> searched(folds);
   workers.for_each_block(folds, 1, [&](const IndexBlock& block) {
     std::vector<std::size_t> seen, unseen;
     for (const std::size_t i : readings) {
       (fold_of[data.readings[i].run] == block.begin ? unseen : seen).push_back(i);
     }
-    const Dataset training = dataset(data, seen);
-    Fold fold{dataset(data, unseen), {}, {}, {}, {}};
-    if (fold.unseen.cells.empty() || training.cells.empty()) return;
+    Fold fold{dataset(data, unseen), dataset(data, seen), {}, {}, {}, {}};
+    if (fold.unseen.cells.empty() || fold.seen.cells.empty()) return;
     Workers alone(1);
-    fold.found = search.run_on(training, alone);
+    fold.found = search.run_on(fold.seen, alone);
     fold.nominal = forecast(fold.unseen, nominal);
     fold.base = try_forecast(fold.unseen, fold.found.base).value_or(fold.nominal);
     fold.forecast = try_forecast(fold.unseen, fold.found.model).value_or(fold.base);
-    // The results refer to the training set, which ends here.
+    // It refers to a dataset that is about to move.
     fold.found.problem.dataset = nullptr;
     searched[block.begin] = std::move(fold);
   });
@@ -88,12 +83,13 @@ double share_of_folds(const std::vector<Fold>& folds, const AcceptedTerm& cause,
          static_cast<double>(folds.size());
 }
 
-Forecast joined(const std::vector<Fold>& folds, const Dataset& all, Forecast Fold::*of) {
+Forecast joined(const std::vector<Fold>& folds, const Dataset& all,
+                const std::function<Forecast(const Fold&)>& of) {
   Forecast result{Eigen::VectorXd::Zero(static_cast<Index>(all.cells.size())),
                   Eigen::VectorXd::Zero(static_cast<Index>(all.cells.size())),
                   std::vector<bool>(all.rows.size(), false)};
   for (const Fold& fold : folds) {
-    const Forecast& own = fold.*of;
+    const Forecast own = of(fold);
     const std::vector<Index> cells = cells_of_part(all, fold.unseen);
     result.reading_N(cells) = own.reading_N;
     result.by_scale(cells) = own.by_scale;

@@ -9,8 +9,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "diagnosis/search/term_search.hpp"
@@ -19,9 +17,10 @@ namespace reeve::diagnosis {
 
 inline constexpr std::size_t most_folds = 5;
 
-// A fold's own readings, and what was found without them.
+// A fold's own readings, and what was found in the others.
 struct Fold {
   Dataset unseen;
+  Dataset seen;
   Explanation found;
   // The forecasts are of its own readings.
   Forecast nominal;
@@ -36,12 +35,10 @@ std::vector<std::size_t> readings_in(const Dataset& part);
 std::vector<std::size_t> dealt_runs(const MeasuredData& data,
                                     const std::vector<std::size_t>& readings, std::size_t folds);
 
-// Fewer than two runs give no folds. Returns nothing if it was stopped.
-std::optional<std::vector<Fold>> cross_validated(const MeasuredData& data,
-                                                 const std::vector<std::size_t>& readings,
-                                                 const Model& nominal, const TermSearch& search,
-                                                 Workers& workers,
-                                                 const std::function<bool()>& stop);
+// Fewer than two runs give no folds.
+std::vector<Fold> cross_validated(const MeasuredData& data,
+                                  const std::vector<std::size_t>& readings, const Model& nominal,
+                                  const TermSearch& search, Workers& workers);
 
 // True if a fold's own term is this cause, another form of its law, or one of its alternatives.
 bool stands_for(const Effect& found, const AcceptedTerm& cause);
@@ -51,6 +48,7 @@ bool stands_for(const Effect& found, const AcceptedTerm& cause);
 double share_of_folds(const std::vector<Fold>& folds, const AcceptedTerm& cause, std::size_t place);
 
 // Forecasts of all readings, each by its fold.
-Forecast joined(const std::vector<Fold>& folds, const Dataset& all, Forecast Fold::*of);
+Forecast joined(const std::vector<Fold>& folds, const Dataset& all,
+                const std::function<Forecast(const Fold&)>& of);
 
 }  // namespace reeve::diagnosis

@@ -148,38 +148,30 @@ OutlierCounts counts_of(const std::vector<JudgedCell>& cells) {
   return counts;
 }
 
-class OutlierChances {
- public:
-  double family_wise(const OutlierCount& part, const OutlierCounts& counts) const {
-    const OutlierCount others = counts.whole.without(part);
-    const double elsewhere =
-        static_cast<double>(others.far + 1) / static_cast<double>(others.all + 1);
-    return std::min(1.0, counts.groups() *
-                             at_least_so_many(part.far, part.all, std::max(by_noise_, elsewhere)));
-  }
+double family_wise_chance(const OutlierCount& part, const OutlierCounts& counts) {
+  static const double by_noise = two_sided_p_value(outlier_deviations, most_degrees_of_far);
+  const OutlierCount others = counts.whole.without(part);
+  const double elsewhere =
+      static_cast<double>(others.far + 1) / static_cast<double>(others.all + 1);
+  return std::min(
+      1.0, counts.groups() * at_least_so_many(part.far, part.all, std::max(by_noise, elsewhere)));
+}
 
-  double least(const OutlierCounts& counts) const {
-    double result = 1;
-    for (const auto& [channel, count] : counts.channels) {
-      result = std::min(result, family_wise(count, counts));
-    }
-    for (const auto& [run, count] : counts.runs) {
-      result = std::min(result, family_wise(count, counts));
-    }
-    return result;
+double least_chance(const OutlierCounts& counts) {
+  double result = 1;
+  for (const auto& [channel, count] : counts.channels) {
+    result = std::min(result, family_wise_chance(count, counts));
   }
-
- private:
-  double by_noise_ = two_sided_p_value(outlier_deviations, most_degrees_of_far);
-};
+  for (const auto& [run, count] : counts.runs) {
+    result = std::min(result, family_wise_chance(count, counts));
+  }
+  return result;
+}
 
 class OutlierFinder {
  public:
-  OutlierFinder(const OutlierSearch& search, Workers& workers, const std::function<bool()>& stop)
-      : search_(search),
-        workers_(workers),
-        stop_(stop),
-        limit_(structure_share_of_alpha * search.alpha) {
+  OutlierFinder(const OutlierSearch& search, Workers& workers)
+      : search_(search), workers_(workers), limit_(structure_share_of_alpha * search.alpha) {
     add(search.training);
     if (search.held_out != nullptr) add(*search.held_out);
     for (const Part& part : parts_) {
@@ -191,7 +183,7 @@ class OutlierFinder {
   }
 
   OutlierReadings find() {
-    if (chances_.least(counts_) >= limit_) return {};
+    if (least_chance(counts_) >= limit_) return {};
     if (shares_scatter()) draw_mountings();
     OutlierReadings result;
     std::set<ChannelRun> taken;
@@ -232,16 +224,9 @@ class OutlierFinder {
       mountings.emplace_back(*part.problem->dataset, search_.model, search_.mounting);
     }
     rarest_drawn_.assign(search_.replicates.count, 1);
-    constexpr std::size_t between_questions = 256;
-    for (std::size_t first = 0; first < rarest_drawn_.size(); first += between_questions) {
-      if (stop_()) return;
-      const std::size_t size = std::min(between_questions, rarest_drawn_.size() - first);
-      workers_.for_each_block(size, 1, [&](const IndexBlock& block) {
-        for (std::size_t i = block.begin; i < block.end; ++i) {
-          rarest_drawn_[first + i] = rarest_of(mountings, first + i);
-        }
-      });
-    }
+    workers_.for_each_block(rarest_drawn_.size(), 1, [&](const IndexBlock& block) {
+      rarest_drawn_[block.begin] = rarest_of(mountings, block.begin);
+    });
   }
 
   double rarest_of(const std::vector<MountedDraws>& mountings, std::size_t replicate) const {
@@ -251,12 +236,12 @@ class OutlierFinder {
                                              static_cast<std::uint32_t>(replicate));
       drawn.insert(drawn.end(), own.begin(), own.end());
     }
-    return chances_.least(counts_of(drawn));
+    return least_chance(counts_of(drawn));
   }
 
   // With what mountings do by themselves.
   double chance_of(const OutlierCount& part) const {
-    const double chance = chances_.family_wise(part, counts_);
+    const double chance = family_wise_chance(part, counts_);
     if (rarest_drawn_.empty() || chance >= limit_) return chance;
     const auto as_rare =
         std::ranges::count_if(rarest_drawn_, [&](double drawn) { return drawn <= chance; });
@@ -328,8 +313,6 @@ class OutlierFinder {
 
   const OutlierSearch& search_;
   Workers& workers_;
-  const std::function<bool()>& stop_;
-  OutlierChances chances_;
   double limit_;
   std::vector<Part> parts_;
   std::vector<JudgedCell> cells_;
@@ -352,9 +335,8 @@ OutlierSides outlier_sides(const std::vector<JudgedCell>& far) {
   return sides;
 }
 
-OutlierReadings outlier_readings_together(const OutlierSearch& search, Workers& workers,
-                                          const std::function<bool()>& stop) {
-  return OutlierFinder(search, workers, stop).find();
+OutlierReadings outlier_readings_together(const OutlierSearch& search, Workers& workers) {
+  return OutlierFinder(search, workers).find();
 }
 
 bool keep_to_something(const OutlierReadings& found) {

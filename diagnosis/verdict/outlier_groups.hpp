@@ -21,8 +21,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "diagnosis/fit/noise.hpp"
@@ -98,9 +96,7 @@ struct OutlierSearch {
   Replicates replicates;
 };
 
-// Without meaning once `stop` has said so.
-OutlierReadings outlier_readings_together(const OutlierSearch& search, Workers& workers,
-                                          const std::function<bool()>& stop);
+OutlierReadings outlier_readings_together(const OutlierSearch& search, Workers& workers);
 
 // True if they belong to some runs, or lie on sides on which noise would put them in fewer than a
 // quarter of alpha of data sets.

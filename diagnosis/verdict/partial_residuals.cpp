@@ -86,7 +86,6 @@ std::optional<PartView> view(const Dataset& dataset, bool held_out, const Model&
 
 // Cells that make a point together.
 struct PointCells {
-  std::size_t row = 0;
   std::size_t first = 0;
   std::size_t last = 0;
 };
@@ -99,16 +98,15 @@ bool acts_on_channel(const TermAxes& axes, const Segment& segment) {
 std::vector<PointCells> cells_of_points(const TermAxes& axes, const Dataset& dataset) {
   const bool one_by_one = axes.is_of_sensors() || axes.over == DrawnOver::change;
   std::vector<PointCells> result;
-  for (std::size_t r = 0; r < dataset.rows.size(); ++r) {
-    const DatasetRow& row = dataset.rows[r];
+  for (const DatasetRow& row : dataset.rows) {
     if (!one_by_one) {
-      result.push_back({r, row.first, row.last});
+      result.push_back({row.first, row.last});
       continue;
     }
     for (std::size_t i = row.first; i < row.last; ++i) {
       const Segment& segment = dataset.data->channels[dataset.cells[i].channel].segment;
       if (axes.over != DrawnOver::change && !acts_on_channel(axes, segment)) continue;
-      result.push_back({r, i, i + 1});
+      result.push_back({i, i + 1});
     }
   }
   return result;
@@ -117,9 +115,8 @@ std::vector<PointCells> cells_of_points(const TermAxes& axes, const Dataset& dat
 // Returns nothing where these cells do not depend on the term.
 std::optional<PartialPoint> point(const PartView& part, const TermAxes& axes, const Effect& effect,
                                   const PointCells& of) {
-  const PlaceOnAxes place =
-      place_on(axes, effect.values,
-               {part.dataset, part.contacts, part.with, part.without, of.row, of.first});
+  const PlaceOnAxes place = place_on(
+      axes, effect.values, {part.dataset, part.contacts, part.with, part.without, of.first});
   // A factor (1 + a) beside the law's own: p follows f by as much less.
   const double by_factor = axes.multiplies ? 1 + place.y : 1;
   if (!(by_factor > 0)) return std::nullopt;
@@ -134,7 +131,7 @@ std::optional<PartialPoint> point(const PartView& part, const TermAxes& axes, co
   }
   const double y = place.y + along / square;
   if (!std::isfinite(place.x) || !std::isfinite(y) || !(square > 0)) return std::nullopt;
-  return PartialPoint{place.x, y, 1 / std::sqrt(square), part.dataset.rows[of.row].reading,
+  return PartialPoint{place.x, y, 1 / std::sqrt(square), part.dataset.cells[of.first].reading,
                       part.held_out};
 }
 

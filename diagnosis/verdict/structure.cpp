@@ -248,19 +248,16 @@ std::vector<StructureTest> structure_tests(const Problem& problem, const Forecas
 
 StructureResult find_structure(const Problem& problem, const std::vector<StructureTest>& tests,
                                const VectorXd& residuals, const NullModel& null_model,
-                               Workers& workers, const std::function<bool()>& stop) {
+                               Workers& workers) {
   StructureResult result;
   if (tests.empty()) return result;
   std::vector<std::vector<double>> null(tests.size(), std::vector<double>(null_model.replicates()));
-  null_model.for_each(
-      workers,
-      [&](std::size_t first, const MatrixXd& drawn) {
-        for (std::size_t t = 0; t < tests.size(); ++t) {
-          const std::vector<double> of_each = statistics(tests[t], drawn);
-          std::ranges::copy(of_each, null[t].begin() + static_cast<std::ptrdiff_t>(first));
-        }
-      },
-      stop);
+  null_model.for_each(workers, [&](std::size_t first, const MatrixXd& drawn) {
+    for (std::size_t t = 0; t < tests.size(); ++t) {
+      const std::vector<double> of_each = statistics(tests[t], drawn);
+      std::ranges::copy(of_each, null[t].begin() + static_cast<std::ptrdiff_t>(first));
+    }
+  });
   std::vector<double> greatest(null_model.replicates(), -1e300);
   double observed = -1e300;
   for (std::size_t t = 0; t < tests.size(); ++t) {
@@ -288,8 +285,7 @@ StructureResult find_structure(const Problem& problem, const std::vector<Structu
 
 StructureResult residual_structure(const Problem& problem, const Model& model,
                                    const MountingScatter& mounting, double alpha,
-                                   const Replicates& replicates, Workers& workers,
-                                   const std::function<bool()>& stop) {
+                                   const Replicates& replicates, Workers& workers) {
   const Dataset& training = *problem.dataset;
   const Forecast at = forecast(training, model);
   const Projection projection(problem, model, at);
@@ -297,10 +293,10 @@ StructureResult residual_structure(const Problem& problem, const Model& model,
   const auto tests = structure_tests(problem, at, projection);
   const auto judged_by = [&](const MountedDraws* mounted) {
     const NullModel null_model(problem, projection, at, replicates.seed, replicates.count, mounted);
-    return find_structure(problem, tests, left, null_model, workers, stop);
+    return find_structure(problem, tests, left, null_model, workers);
   };
   StructureResult result = judged_by(nullptr);
-  if (result.p_value >= alpha || problem.shared.empty() || stop()) return result;
+  if (result.p_value >= alpha || problem.shared.empty()) return result;
   const MountedDraws mounted(training, model, mounting);
   return judged_by(&mounted);
 }

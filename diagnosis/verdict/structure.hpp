@@ -10,8 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,14 +59,13 @@ std::vector<StructureTest> structure_tests(const Problem& problem, const Forecas
 
 StructureResult find_structure(const Problem& problem, const std::vector<StructureTest>& tests,
                                const Eigen::VectorXd& residuals, const NullModel& null_model,
-                               Workers& workers, const std::function<bool()>& stop = {});
+                               Workers& workers);
 
 // Structure of the residuals of a model. A finding below alpha, where mountings scatter, is judged
 // again by mountings that are solved (mounted_draws.hpp): what they do that is no straight line is
-// no finding. Without meaning once `stop` has said so.
+// no finding.
 StructureResult residual_structure(const Problem& problem, const Model& model,
                                    const MountingScatter& mounting, double alpha,
-                                   const Replicates& replicates, Workers& workers,
-                                   const std::function<bool()>& stop);
+                                   const Replicates& replicates, Workers& workers);
 
 }  // namespace reeve::diagnosis

@@ -225,12 +225,12 @@ TermAxes axes_of_a_change() {
 
 double mean_of_contacts(const TermAxes& axes, const DrawnCell& cell,
                         const std::function<double(double load_N)>& value) {
-  const DatasetRow& row = cell.dataset.rows[cell.row];
+  const DatasetRow& row = cell.dataset.rows[cell.row()];
   const MeasuredData& data = *cell.dataset.data;
   const Reading& reading = data.readings[row.reading];
   double sum = 0;
   double count = 0;
-  for (const causes::SolvedContact& contact : cell.contacts[cell.row]) {
+  for (const causes::SolvedContact& contact : cell.contacts[cell.row()]) {
     const ContactLoad load{contact.kind,
                            contact.high,
                            contact.number,
@@ -248,7 +248,7 @@ double mean_of_contacts(const TermAxes& axes, const DrawnCell& cell,
 }
 
 double forecast_at(const DrawnCell& cell, const std::function<bool(std::size_t channel)>& chosen) {
-  const DatasetRow& row = cell.dataset.rows[cell.row];
+  const DatasetRow& row = cell.dataset.rows[cell.row()];
   double sum = 0;
   bool some = false;
   for (std::size_t i = row.first; i < row.last; ++i) {
@@ -260,7 +260,7 @@ double forecast_at(const DrawnCell& cell, const std::function<bool(std::size_t c
 }
 
 double sum_of_readings(const DrawnCell& cell) {
-  const DatasetRow& row = cell.dataset.rows[cell.row];
+  const DatasetRow& row = cell.dataset.rows[cell.row()];
   double sum = 0;
   for (std::size_t i = row.first; i < row.last; ++i) sum += cell.dataset.cells[i].measured_N;
   return sum;
@@ -305,7 +305,7 @@ TermAxes term_axes(const Effect& effect, const Hardware& hardware, bool has_moto
 PlaceOnAxes place_on(const TermAxes& axes, const std::vector<double>& values,
                      const DrawnCell& cell) {
   const auto at = static_cast<Eigen::Index>(cell.cell);
-  const DatasetRow& row = cell.dataset.rows[cell.row];
+  const DatasetRow& row = cell.dataset.rows[cell.row()];
   const auto law = [&](double x) { return PlaceOnAxes{x, axes.law(values, x)}; };
   const std::size_t own = cell.dataset.cells[cell.cell].channel;
   const std::vector<Channel>& channels = cell.dataset.data->channels;

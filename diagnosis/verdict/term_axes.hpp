@@ -1,13 +1,10 @@
 // Axes over which a term's partial residuals (partial_residuals.hpp) are drawn.
 //
-//   law, or a cause that follows something   x: its covariate             y: f(x), a relative
-//   change
-//                                                                         of exponents or gains, or
-//                                                                         N
-//   cause of a constant size                 x: what it acts through:     y: size − nominal size
-//                                            load at its contacts, tension
-//                                            at its sensor, motor tension
-//   cause that is there or not               x: p − q, N                  y: T − q, N
+//   law, or a cause that follows something   x: its covariate   y: f(x), a relative change of
+//                                                               exponents or gains, or N
+//   cause of a constant size      x: what it acts through, load at its contacts, tension at its
+//                                 sensor or motor tension       y: size − nominal size
+//   cause that is there or not               x: p − q, N        y: T − q, N
 //
 // p is the forecast with the term, q the one without it. A reading that runs through several
 // contacts of the site stands at the mean of their loads. A product of two covariates is drawn over
@@ -64,14 +61,15 @@ struct TermAxes {
 // `has_motor_tension`: of the data.
 TermAxes term_axes(const Effect& effect, const Hardware& hardware, bool has_motor_tension);
 
-// A cell with its row's place in the dataset, and the forecasts of all cells.
+// A cell, and the forecasts of all cells.
 struct DrawnCell {
   const Dataset& dataset;
   const RowContacts& contacts;
   const Forecast& with;
   const Forecast& without;
-  std::size_t row = 0;
   std::size_t cell = 0;
+
+  std::size_t row() const { return dataset.cells[cell].row; }
 };
 
 struct PlaceOnAxes {

@@ -17,14 +17,13 @@ DiagnosisResult diagnosed(const PlantingPlan& plan, std::uint64_t seed) {
 TEST(BelievedScatter, IsThreeTimesTheAssumedOneAtMost) {
   MountingScatter scatter;
   scatter.relative = {0.11, 0.11, 0.29, 0.014};
-  EXPECT_FALSE(is_beyond_belief(scatter));
+  EXPECT_FALSE(believed(scatter).is_bounded);
   EXPECT_EQ(believed(scatter).relative, scatter.relative);
   scatter.relative[3] = 0.1;
-  EXPECT_TRUE(is_beyond_belief(scatter));
   EXPECT_TRUE(believed(scatter).is_bounded);
   EXPECT_DOUBLE_EQ(believed(scatter).relative[3], 0.015);
   scatter.given = true;
-  EXPECT_FALSE(is_beyond_belief(scatter));
+  EXPECT_FALSE(believed(scatter).is_bounded);
 }
 
 TEST(BelievedScatter, NamesNothingOfARigThatIsMountedBadly) {

@@ -8,6 +8,7 @@
 
 #include "causes/library.hpp"
 #include "diagnosis/dataset.hpp"
+#include "diagnosis/diagnosis_result.hpp"
 #include "diagnosis/fit/fit.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
 
@@ -20,15 +21,14 @@ MeasuredData two_fingers() {
       "1,M-1-T-2-F,1,20,5,6,3\n1,M-1-T-2-F,,20,6,6,3\n");
 }
 
-const Candidate& named(const std::vector<Candidate>& all, const std::string& name) {
-  return *std::find_if(all.begin(), all.end(),
-                       [&](const Candidate& candidate) { return candidate.name == name; });
+const Effect& named(const std::vector<Effect>& all, const std::string& name) {
+  return *std::ranges::find(all, name, effect_name);
 }
 
 TEST(Candidates, AreTheCausesThatTheDataCouldShowAboutEachSubject) {
   const MeasuredData data = two_fingers();
   std::multiset<std::string> names;
-  for (const Candidate& candidate : candidates(survey(data), {})) names.insert(candidate.name);
+  for (const Effect& each : candidates(survey(data), {})) names.insert(effect_name(each));
   EXPECT_EQ(names.count("tube_friction"), 1U);
   EXPECT_EQ(names.count("bearing_friction"), 0U);  // there is none
   EXPECT_EQ(names.count("wear"), 1U);
@@ -45,25 +45,28 @@ TEST(Candidates, HaveTheirNominalSize) {
   Hardware hardware;
   hardware.tube.mu = 0.11;
   const auto all = candidates(survey(data), hardware);
-  EXPECT_EQ(named(all, "tube_friction").effect.values, std::vector<double>{0.11});
-  EXPECT_EQ(named(all, "sensor_gain[T1]").effect.values, std::vector<double>{1});
-  EXPECT_FALSE(named(all, "wrong_grasp[M-1-T-2-F]").has_size());
+  EXPECT_EQ(named(all, "tube_friction").values, std::vector<double>{0.11});
+  EXPECT_EQ(named(all, "sensor_gain[T1]").values, std::vector<double>{1});
+  EXPECT_TRUE(named(all, "wrong_grasp[M-1-T-2-F]").values.empty());
   // A shape has no nominal value: the middle of 10 to 1e5 cycles stands for it.
-  EXPECT_EQ(named(all, "wear").effect.values[0], 0);
-  EXPECT_NEAR(named(all, "wear").effect.values[1], 1000, 1e-9);
+  EXPECT_EQ(named(all, "wear").values[0], 0);
+  EXPECT_NEAR(named(all, "wear").values[1], 1000, 1e-9);
 }
 
 // Of 10 to 1e5 cycles: in the middle of five equal parts of the four orders of magnitude.
 TEST(Candidates, AreTriedAtFiveShapesOverTheirRange) {
   const MeasuredData data = two_fingers();
   const auto all = candidates(survey(data), {});
-  const auto tried = shapes(named(all, "wear"));
+  const auto of = [&](const std::string& name) {
+    return shapes(named(all, name), named(all, name).cause->parameters({}));
+  };
+  const auto tried = of("wear");
   ASSERT_EQ(tried.size(), 5U);
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(tried[i][0], 0);
     EXPECT_NEAR(std::log10(tried[i][1]), 1.4 + 0.8 * static_cast<double>(i), 1e-9);
   }
-  EXPECT_EQ(shapes(named(all, "tube_friction")).size(), 1U);
+  EXPECT_EQ(of("tube_friction").size(), 1U);
 }
 
 TEST(SameEffect, IsOfTheSameCauseAndSubjectWhateverItsSize) {
@@ -91,7 +94,7 @@ TEST(SameEffect, TellsWrongGraspsOfOneRoutingApart) {
   EXPECT_TRUE(same_effect(of(1, 2), of(1, 2)));
   EXPECT_FALSE(same_effect(of(1, 2), of(3, 2)));
   EXPECT_FALSE(same_effect(of(1, 2), of(1, 3)));
-  EXPECT_EQ(detail(of(1, 2)), "recorded 1, measured 2");
+  EXPECT_EQ(grasps_text(of(1, 2).subject), "recorded 1, measured 2");
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(SeparatingMeasurement, OfSpeedAndFrictionAsksForAnotherSpeed) {
   Model friction = with("tube_friction", {0.18 * factor});
   add_effect(friction, {find_cause("sheath_friction"), {}, {0.18 * factor}});
   const auto measurement = separating_measurement(
-      plan(data), with("speed_dependent_friction", {slope}), "a", friction, "b");
+      plan(data), {with("speed_dependent_friction", {slope}), friction}, {"a", "b"});
   ASSERT_TRUE(measurement.has_value());
   EXPECT_NE(measurement->measurement.conditions.speed_mm_s, 30);
   EXPECT_TRUE(measurement->measurement.uses_speed);
@@ -50,9 +50,9 @@ TEST(SeparatingMeasurement, OfGainAndOffsetAsksForAnotherLoad) {
   Subject t1;
   t1.channel = parse_segment("T1");
   const double read = 20 * std::exp(-0.36 * std::numbers::pi);
-  const auto measurement =
-      separating_measurement(plan(data), with("sensor_gain", {1.1}, t1), "gain",
-                             with("sensor_offset", {0.1 * read}, t1), "offset");
+  const auto measurement = separating_measurement(
+      plan(data), {with("sensor_gain", {1.1}, t1), with("sensor_offset", {0.1 * read}, t1)},
+      {"gain", "offset"});
   ASSERT_TRUE(measurement.has_value());
   EXPECT_GT(std::abs(measurement->measurement.conditions.motor_tension_N - 20), 1);
 }
@@ -60,14 +60,14 @@ TEST(SeparatingMeasurement, OfGainAndOffsetAsksForAnotherLoad) {
 TEST(SeparatingMeasurement, DoesNotExistBetweenEqualModels) {
   const MeasuredData data = read_data(few_conditions);
   const Model model = with("tube_friction", {0.1});
-  EXPECT_FALSE(separating_measurement(plan(data), model, "a", model, "b").has_value());
+  EXPECT_FALSE(separating_measurement(plan(data), {model, model}, {"a", "b"}).has_value());
 }
 
 // Releasing, T4 of M-1-T-2-F is 17 times the motor tension: there the two differ most.
 TEST(SeparatingMeasurement, AsksForNoReadingFarBeyondWhatTheRigHasShown) {
   const MeasuredData data = read_data(few_conditions);
-  const auto measurement = separating_measurement(plan(data), with("tube_friction", {0.18}), "a",
-                                                  with("tube_friction", {0.15}), "b");
+  const auto measurement = separating_measurement(
+      plan(data), {with("tube_friction", {0.18}), with("tube_friction", {0.15})}, {"a", "b"});
   ASSERT_TRUE(measurement.has_value());
   ASSERT_FALSE(measurement->expected.empty());
   const double load = measurement->measurement.conditions.motor_tension_N;

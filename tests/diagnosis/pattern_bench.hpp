@@ -11,7 +11,6 @@
 
 #include "core/tension/tension.hpp"
 #include "diagnosis/fit/problem.hpp"
-#include "diagnosis/search/candidates.hpp"
 #include "numerics/random.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
 
@@ -34,7 +33,7 @@ class MadeUpCause : public Cause {
   }
   std::vector<Subject> subjects(const Survey&) const override { return std::vector<Subject>(1); }
 
-  Candidate candidate() const { return {{this, {}, {0}}, parameters({}), name_}; }
+  Effect candidate() const { return {this, {}, {0}}; }
 
  private:
   const char* name_;

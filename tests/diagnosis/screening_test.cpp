@@ -25,16 +25,16 @@ class Half final : public Cause {
   }
 };
 const Half half;
-const Candidate half_candidate{{&half, {}, {}}, {}, "half"};
+const Effect half_candidate{&half, {}, {}};
 
 // With readings without noise off by this on T1 and by 0.2 N on T2, all in units of 0.05 N.
 struct Seen {
   Bench bench;
   Workers workers{1};
-  std::vector<Candidate> candidates;
+  std::vector<Effect> candidates;
   std::vector<ScreenedCause> screened;  // parallel to the candidates
 
-  Seen(double offset_N, std::vector<Candidate> among, const Model& model = {})
+  Seen(double offset_N, std::vector<Effect> among, const Model& model = {})
       : bench({offset_N, 0.2}, {5, 6, 1, 0}), candidates(std::move(among)) {
     const Forecast at = forecast(bench.dataset, model);
     const Projection projection(bench.problem, model, at);

@@ -94,7 +94,8 @@ TEST(LawMeaning, OfAProductNamesBothCovariates) {
 TEST(LawUnit, IsOfTheTargetOverTheCovariate) {
   const auto units = [](const Term& term) {
     std::vector<std::string> each;
-    for (std::size_t i = 0; i < parameter_count(term.form); ++i) each.push_back(law_unit(term, i));
+    const std::size_t count = causes::law(term).parameters({}).size();
+    for (std::size_t i = 0; i < count; ++i) each.push_back(law_unit(term, i));
     return each;
   };
   using Units = std::vector<std::string>;
