@@ -154,7 +154,7 @@ void read_spools(const TomlNode& file, Hardware& hardware) {
   if (node == nullptr) return;
   Hardware alone;
   for (const TomlNode& end : node->table().children) {
-    alone.spools = {{end.key, end.number_from_zero()}};
+    alone.spools = {{end.key, end.finite_number()}};
     validate_at(end, alone);
     hardware.spools.push_back(alone.spools.front());
   }

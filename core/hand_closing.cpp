@@ -48,7 +48,11 @@ bool opens_fingers(const Network& network, const Mechanics& mechanics, Grasp gra
                    Kinematics& kinematics, Motion& motion) {
   const auto is_back = [](double way) { return way < 0; };
   const auto& travels = grasp.carriages.over_D;
-  if (std::none_of(travels.begin(), travels.end(), is_back)) return false;
+  const auto& spools = mechanics.spools;
+  if (std::none_of(travels.begin(), travels.end(), is_back) &&
+      std::none_of(spools.begin(), spools.end(), is_back)) {
+    return false;
+  }
   grasp.held = 0;
   kinematics.solve(network, mechanics, grasp, Direction::pull, motion);
   return motion.fault == TensionFault::finger_opens ||

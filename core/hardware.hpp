@@ -113,7 +113,9 @@ struct ContactHardware {
 // Spool of an end of a tendon on its motor's shaft, named by the motor-side segment.
 struct SpoolHardware {
   std::string segment;
-  double ratio = 1;  // radius over that of the carriage's travel: the end travels ratio × D
+  // Radius over that of the carriage's travel: the end travels ratio × D. Below 0 it is wound the
+  // other way and lets its tendon out.
+  double ratio = 1;
 
   friend bool operator==(const SpoolHardware&, const SpoolHardware&) = default;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -12,14 +13,32 @@
 namespace reeve::diagnosis {
 namespace {
 
-std::shared_ptr<const Record> record(const MeasuredData& data, const Reading& reading,
-                                     double run_number, double order) {
+// Where the runs of some data stand, and their readings in them.
+struct Places {
+  std::vector<double> run;  // number of each run
+  std::vector<double> row;  // place of each reading in its run, from 1, as they were taken
+};
+
+Places places(const MeasuredData& data) {
+  Places found{readings::run_numbers(data.runs), std::vector<double>(data.readings.size())};
+  std::vector<std::size_t> taken(data.readings.size());
+  std::iota(taken.begin(), taken.end(), std::size_t{0});
+  std::ranges::sort(taken, {}, [&](std::size_t i) { return data.readings[i].taken; });
+  std::vector<double> rows(data.runs.size());
+  for (const std::size_t i : taken) found.row[i] = ++rows[data.readings[i].run];
+  return found;
+}
+
+std::shared_ptr<const Record> record(const MeasuredData& data, std::size_t index,
+                                     const Places& places, double order) {
+  const Reading& reading = data.readings[index];
   Record result{data.runs[reading.run], reading.group ? data.groups[*reading.group] : "", {}};
   const auto add = [&](const std::string& name, std::optional<double> value) {
     if (value) result.columns.push_back({name, *value});
   };
   add("order", order);
-  add("run", run_number);
+  add("run", places.run[reading.run]);
+  add("row_in_run", places.row[index]);
   add("sheath_angle_rad", reading.sheath_angle_rad);
   for (std::size_t c = 0; c < data.covariates.size(); ++c) {
     add(data.covariates[c], reading.covariates[c]);
@@ -27,8 +46,7 @@ std::shared_ptr<const Record> record(const MeasuredData& data, const Reading& re
   return std::make_shared<const Record>(std::move(result));
 }
 
-Conditions conditions(const MeasuredData& data, std::size_t index,
-                      const std::vector<double>& run_numbers) {
+Conditions conditions(const MeasuredData& data, std::size_t index, const Places& places) {
   const Reading& reading = data.readings[index];
   Conditions result;
   result.motor_tension_N = reading.motor_tension_N.value_or(result.motor_tension_N);
@@ -37,7 +55,7 @@ Conditions conditions(const MeasuredData& data, std::size_t index,
   result.temperature_C = reading.temperature_C.value_or(result.temperature_C);
   const std::size_t last = data.readings.size() - 1;
   result.order = last > 0 ? static_cast<double>(reading.taken) / static_cast<double>(last) : 0;
-  result.record = record(data, reading, run_numbers[reading.run], result.order);
+  result.record = record(data, index, places, result.order);
   return result;
 }
 
@@ -137,7 +155,7 @@ Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readin
   Dataset result;
   result.data = &data;
   std::map<Key, std::size_t> blocks;
-  const std::vector<double> run_numbers = readings::run_numbers(data.runs);
+  const Places where = places(data);
   for (const std::size_t index : readings) {
     const Reading& reading = data.readings[index];
     std::vector<Cell> cells;
@@ -156,7 +174,7 @@ Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readin
     result.blocks[found->second].rows.push_back(result.rows.size());
     result.rows.push_back({index, result.cells.size(), result.cells.size() + cells.size(),
                            reading.motor_tension_N.has_value(), motor_deviation(data, reading),
-                           conditions(data, index, run_numbers)});
+                           conditions(data, index, where)});
     result.cells.insert(result.cells.end(), cells.begin(), cells.end());
   }
   return result;

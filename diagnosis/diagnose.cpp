@@ -99,6 +99,7 @@ class Diagnosis {
     // If nothing is named, the hardware file stands, and its coefficients with it.
     if (result_.causes.empty()) {
       result_.model = nominal_;
+      result_.residual_after_N = result_.residual_before_N;
     } else {
       result_.model.conditions = typical_conditions(data_, readings_used());
     }

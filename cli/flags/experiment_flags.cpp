@@ -55,7 +55,8 @@ PlannedLevels read_levels(const std::string& option, const std::string& text, Ra
 bool is_free_name(const std::string& name) {
   const std::optional<ColumnName> known = column_named(name);
   const bool is_known = known && !known->needs_unit && known->role != DataRole::covariate;
-  return !name.empty() && !is_known && name != "repeat" && name != "order" && name != "run";
+  return !name.empty() && !is_known && name != "repeat" && name != "order" && name != "run" &&
+         name != "row_in_run";
 }
 
 // No file of readings has a column of another name.

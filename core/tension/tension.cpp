@@ -39,7 +39,8 @@ void scale_to_unit_motor_tension(const Network& network, const Mechanics& mechan
   for (double& t : state.tension) t /= motor;
   for (double& t : state.motor_tension) t /= motor;
   if (motor == 0 && state.in_range) state.fault = TensionFault::nothing_pulls;
-  state.in_range &= std::isnormal(motor);
+  if (motor < 0 && state.in_range) state.fault = TensionFault::motor_is_pulled;
+  state.in_range &= motor > 0 && std::isnormal(motor);
 }
 
 // Exactly 1 if all carriages travel D.

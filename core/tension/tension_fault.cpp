@@ -25,6 +25,8 @@ const char* words_of(TensionFault fault) {
       return "every tendon is still slack after the whole carriage travel";
     case TensionFault::nothing_pulls:
       return "no end at a motor moves";
+    case TensionFault::motor_is_pulled:
+      return "the ends that the motor lets out pull it harder than it pulls the others";
   }
   return "friction is so strong that tensions fall out of range";
 }

@@ -116,13 +116,15 @@ ColumnValues column_values(const ExperimentPlan& plan, const RunPlanner& planner
 }
 
 // As a file of these readings says it.
-std::shared_ptr<const Record> record_of(const ExperimentPlan& plan, const PlannedReading& reading) {
+std::shared_ptr<const Record> record_of(const ExperimentPlan& plan, const PlannedReading& reading,
+                                        std::size_t row_in_run) {
   std::vector<NamedValue> columns;
   for (std::size_t c = 0; c < plan.columns.size(); ++c) {
     columns.push_back({plan.columns[c].name, reading.columns[c]});
   }
   columns.push_back({"order", reading.conditions.order});
   columns.push_back({"run", static_cast<double>(reading.run + 1)});
+  columns.push_back({"row_in_run", static_cast<double>(row_in_run)});
   if (plan.sheath_angle_rad) columns.push_back({"sheath_angle_rad", *reading.sheath_angle_rad});
   return std::make_shared<const Record>(
       Record{std::to_string(reading.run + 1), "", std::move(columns)});
@@ -157,6 +159,7 @@ std::vector<SurveyedColumn> surveyed_columns(const ExperimentPlan& plan) {
   for (const PlannedColumn& column : plan.columns) add(column.name, column.levels);
   columns.push_back({"order", {0, 1}});
   columns.push_back({"run", {1, static_cast<double>(plan.runs)}});
+  columns.push_back({"row_in_run", {1, static_cast<double>(plan.rows * plan.repeats)}});
   return columns;
 }
 
@@ -252,7 +255,7 @@ std::vector<PlannedReading> schedule(const ExperimentPlan& plan, std::uint64_t s
     if (i > 0) {
       reading.conditions.order = static_cast<double>(i) / static_cast<double>(readings.size() - 1);
     }
-    reading.conditions.record = record_of(plan, reading);
+    reading.conditions.record = record_of(plan, reading, i % (plan.rows * plan.repeats) + 1);
   }
   return readings;
 }

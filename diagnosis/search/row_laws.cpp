@@ -74,6 +74,7 @@ std::vector<RowCovariate> row_covariates(const Dataset& dataset) {
     add(causes::covariate_named(name));
   }
   for (const char* name : {"order", "run"}) add(column(name), true);
+  if (dataset.data->runs.size() > 1) add(column("row_in_run"), true);
   add(column("sheath_angle_rad"));
   for (const std::string& name : dataset.data->covariates) add(column(name));
   return result;

@@ -25,7 +25,7 @@ struct RowCovariate {
   Eigen::VectorXd by_row;
   std::vector<double> distinct;  // ascending
   bool is_motor = false;
-  bool is_place = false;  // place of the row in the file, or of its run among the others
+  bool is_place = false;  // place of the row in the file or its run, or of that among the others
 };
 
 // The columns of the grammar (causes/term.hpp) that three rows or more record, with two values or

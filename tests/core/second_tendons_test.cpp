@@ -143,6 +143,39 @@ TEST(SecondTendons, LeaveATreeThatTheyFollowAsItIs) {
   EXPECT_EQ(solved.state.block_travel, alone.state.block_travel);
 }
 
+// One motor winds the flexor up and the extensor, on its spool the other way round, off.
+TEST(SecondTendons, OnASpoolWoundTheOtherWayAreLetOut) {
+  Hardware hardware;
+  hardware.spools = {{"b", -1}};
+  const auto solved = solved_network("M-1x+M-1e", hardware);
+  EXPECT_EQ(solved["a"], 1);
+  EXPECT_EQ(solved["b"], 0);
+  EXPECT_DOUBLE_EQ(solved["T1"], sheath_ratio);
+  EXPECT_EQ(solved.state.closing, std::vector<double>{1});
+  EXPECT_DOUBLE_EQ(performance(solved.network, solved.state).efficiency, sheath_ratio);
+}
+
+// A differential spool: the finger closes by half of what the end at r = 1 takes in beyond what the
+// other lets out, and the motor has T_a − T_b / 2.
+TEST(SpoolsWoundTheOtherWay, PullWithTheDifferenceOfBothEnds) {
+  Hardware hardware;
+  hardware.spools = {{"b", -0.5}};
+  hardware.tube.mu = hardware.sheath.mu = 0;
+  const auto solved = solved_network("M-1-M", hardware);
+  for (const char* name : {"a", "T1", "T2", "b"}) EXPECT_DOUBLE_EQ(solved[name], 2);
+  EXPECT_EQ(solved.state.closing, std::vector<double>{0.25});
+}
+
+TEST(SpoolsWoundTheOtherWay, AreOutOfRangeWhereTheyWouldPullTheMotor) {
+  Hardware hardware;
+  hardware.spools = {{"b", -0.5}};
+  EXPECT_NE(testing::out_of_range([&] {
+              const Network network = network_of("M-1-M");
+              tensions(network, mechanics(network, hardware), {}, Direction::release);
+            }).find("the ends that the motor lets out pull it harder"),
+            std::string::npos);
+}
+
 TEST(SecondTendons, BesideSlackAreRefused) {
   Hardware hardware;
   hardware.tendon.EA_N = 1000;

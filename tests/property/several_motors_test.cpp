@@ -68,7 +68,8 @@ std::map<std::string, double> random_spools(Dice& dice, const Network& network) 
   std::map<std::string, double> spools;
   for (const Segment& segment : network.segments) {
     if (!find_motor_end(network, segment) || dice.chance(0.5)) continue;
-    spools[segment_name(segment)] = dice.chance(0.5) ? 0.5 : dice.log_real(0.2, 5);
+    const double ratio = dice.chance(0.5) ? 0.5 : dice.log_real(0.2, 5);
+    spools[segment_name(segment)] = dice.chance(0.2) ? -ratio : ratio;
   }
   return spools;
 }
@@ -132,10 +133,11 @@ struct SeenMotors {
   int unsolved = 0;  // by the library alone
 };
 
-bool lets_out(const Grasp& grasp) {
-  const std::vector<double> travels = carriage_travels(grasp);
-  if (travels.empty()) return false;
-  return *std::min_element(travels.begin(), travels.end()) < 0;
+bool lets_out(const MotorTrial& trial) {
+  const std::vector<double> travels = carriage_travels(trial.grasp);
+  return std::any_of(travels.begin(), travels.end(), [](double way) { return way < 0; }) ||
+         std::any_of(trial.laws.spool.begin(), trial.laws.spool.end(),
+                     [](const auto& spool) { return spool.second < 0; });
 }
 
 void count(const MotorTrial& trial, const TensionState& state, SeenMotors& seen) {
@@ -143,8 +145,8 @@ void count(const MotorTrial& trial, const TensionState& state, SeenMotors& seen)
   ++seen.solved;
   seen.jams += state.jams;
   seen.released += trial.direction == Direction::release;
-  seen.lets_out += lets_out(trial.grasp);
-  seen.turns += lets_out(trial.grasp) && !state.jams &&
+  seen.lets_out += lets_out(trial);
+  seen.turns += lets_out(trial) && !state.jams &&
                 std::count(state.closing.begin(), state.closing.end(), 0.0) ==
                     static_cast<std::ptrdiff_t>(state.closing.size());
   seen.stands_still += std::count(travels.begin(), travels.end(), 0.0) > 0;
@@ -164,7 +166,7 @@ void compare(const MotorTrial& trial, SeenMotors& seen) {
       const ReferenceResult found = reference();
       const bool pulls = std::any_of(found.tension.begin(), found.tension.end(),
                                      [](const auto& tension) { return tension.second > 0; });
-      const bool jams_in_a_tree = found.jams && !network.blocks.empty() && lets_out(trial.grasp);
+      const bool jams_in_a_tree = found.jams && !network.blocks.empty() && lets_out(trial);
       ++(pulls && !jams_in_a_tree ? seen.unsolved : seen.refused);
     } catch (const std::exception&) {  // or no state meets the conditions of either
       ++seen.refused;
