@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "search/enumerate/checked.hpp"
-#include "search/enumerate/tree_sets.hpp"
+#include "search/enumerate/tree_grammar.hpp"
 
 namespace reeve::search {
 namespace {
@@ -21,7 +21,7 @@ struct Choices {
 };
 
 Choices choices(const PartSet& parts) {
-  return {parts.tips.size(), parts.joins.size(), times(parts.ends.size(), end_variants(parts)),
+  return {parts.tips.size(), parts.joins.size(), times(parts.ends.size(), 1 + parts.beside.size()),
           parts.anchored ? 1U : 0U};
 }
 
@@ -110,14 +110,76 @@ TendonCounts tendon_counts(const PowerChoices& all, std::size_t p, int fingers,
   return counts;
 }
 
+// A number for each size.
+class SizeTable {
+ public:
+  explicit SizeTable(TreeSize largest)
+      : largest_(largest), counts_(at({largest.fingers + 1, 0}), 0) {}
+
+  TreeSize largest() const { return largest_; }
+  std::uint64_t& operator[](TreeSize size) { return counts_[at(size)]; }
+  std::uint64_t operator[](TreeSize size) const { return counts_[at(size)]; }
+
+ private:
+  std::size_t at(TreeSize size) const {
+    const auto columns = static_cast<std::size_t>(largest_.blocks) + 1;
+    return static_cast<std::size_t>(size.fingers) * columns + static_cast<std::size_t>(size.blocks);
+  }
+
+  TreeSize largest_;
+  std::vector<std::uint64_t> counts_;
+};
+
+// Multisets, by the size of all their trees, of b_s trees of size s:
+//   Σ sets(n,k) z^n y^k = Π_s Σ_m multichoose(b_s, m) (z^fingers y^blocks)^m
+SizeTable multisets(const SizeTable& trees) {
+  SizeTable sets(trees.largest());
+  sets[{}] = 1;
+  for_each_size(trees.largest(), [&](TreeSize of_tree) {
+    if (trees[of_tree] == 0) return;
+    SizeTable with(trees.largest());
+    for_each_size(trees.largest(), [&](TreeSize size) {
+      for (int many = 0; is_within(many * of_tree, size); ++many) {
+        const auto of_size = multichoose(trees[of_tree], static_cast<std::uint64_t>(many));
+        with[size] = plus(with[size], times(of_size, sets[size - many * of_tree]));
+      }
+    });
+    sets = with;
+  });
+  return sets;
+}
+
+// Sets of trees with distinct fingers: the least finger's tree takes some of the others, and the
+// rest is such a set.
+SizeTable labelled_sets(const SizeTable& trees) {
+  SizeTable sets(trees.largest());
+  sets[{}] = 1;
+  for_each_size(trees.largest(), [&](TreeSize size) {
+    for_each_size(size, [&](TreeSize first) {
+      if (trees[first] == 0) return;
+      const auto others = choices_of(first.fingers - 1, size.fingers - 1, FingerIdentity::distinct);
+      sets[size] = plus(sets[size], times(times(others, trees[first]), sets[size - first]));
+    });
+  });
+  return sets;
+}
+
+SizeTable sets_of(const SizeTable& trees, FingerIdentity identity) {
+  return identity == FingerIdentity::identical ? multisets(trees) : labelled_sets(trees);
+}
+
 // A tendon without blocks is a tree by itself.
 std::vector<SizeTable> all_trees(const PartPowers& powers, int fingers, FingerIdentity identity) {
   const PowerChoices choices(powers);
+  TreeGrammar grammar(powers, fingers, identity);
   std::vector<SizeTable> all;
-  for (const TreeCounts& counts : tree_counts(powers, fingers, identity)) {
-    const TendonCounts tendons = tendon_counts(choices, all.size(), fingers, identity);
-    SizeTable& trees = all.emplace_back(counts.trees);
-    for (int n = 1; n <= fingers; ++n) trees[{n, 0}] = tendons[static_cast<std::size_t>(n)];
+  for (std::size_t p = 0; p < powers.size(); ++p) {
+    SizeTable& trees = all.emplace_back(TreeSize{fingers, powers.front().blocks});
+    const TendonCounts tendons = tendon_counts(choices, p, fingers, identity);
+    for_each_size(trees.largest(), [&](TreeSize size) {
+      trees[size] = size.blocks == 0 ? tendons[static_cast<std::size_t>(size.fingers)]
+                                     : grammar.grammar().size(grammar.tree(size), p);
+    });
   }
   return all;
 }
@@ -145,10 +207,10 @@ SizeTable cycles_of_trees(const std::vector<SizeTable>& powers) {
 }
 
 std::uint64_t routings(const SizeTable& trees, int fingers, FingerIdentity identity) {
-  const TreeSets sets(trees, identity);
+  const SizeTable sets = sets_of(trees, identity);
   std::uint64_t sum = 0;
   for (int blocks = 0; blocks <= trees.largest().blocks; ++blocks) {
-    sum = plus(sum, sets.count({fingers, blocks}));
+    sum = plus(sum, sets[{fingers, blocks}]);
   }
   return sum;
 }
@@ -247,9 +309,9 @@ std::vector<std::uint64_t> tendon_sets(const TendonCounts& tendons, int largest,
   const int fingers = static_cast<int>(tendons.size()) - 1;
   SizeTable trees({fingers, 0});
   for (int n = 1; n <= largest; ++n) trees[{n, 0}] = tendons[static_cast<std::size_t>(n)];
-  const TreeSets sets(trees, identity);
+  const SizeTable sets = sets_of(trees, identity);
   std::vector<std::uint64_t> ways;
-  for (int n = 0; n <= fingers; ++n) ways.push_back(sets.count({n, 0}));
+  for (int n = 0; n <= fingers; ++n) ways.push_back(sets[{n, 0}]);
   return ways;
 }
 
