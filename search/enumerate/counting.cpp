@@ -5,107 +5,90 @@
 #include <numeric>
 
 #include "search/enumerate/checked.hpp"
+#include "search/enumerate/tendon_shapes.hpp"
 #include "search/enumerate/tree_grammar.hpp"
 
 namespace reeve::search {
 namespace {
 
-struct Choices {
-  std::uint64_t tips;
-  std::uint64_t joins;
-  std::uint64_t ends;
-  std::uint64_t anchors;
-
-  // The last finger of a tendon of several, with its end or as one.
-  std::uint64_t last_fingers() const { return plus(times(tips, ends), anchors); }
-};
-
-Choices choices(const PartSet& parts) {
-  return {parts.tips.size(), parts.joins.size(), times(parts.ends.size(), 1 + parts.beside.size()),
-          parts.anchored ? 1U : 0U};
-}
-
-// PowerChoices has the choices of each power of a renaming of the motors; see PartPowers.
-class PowerChoices {
+// What each power of a renaming of the motors leaves of some things (PartPowers).
+class PowerNumbers {
  public:
-  explicit PowerChoices(const PartPowers& powers) {
-    for (const PartSet& parts : powers) choices_.push_back(choices(parts));
+  using Number = std::vector<std::uint64_t>;
+
+  explicit PowerNumbers(std::size_t powers) : powers_(powers) {}
+
+  Number count(int many) const { return Number(powers_, static_cast<std::uint64_t>(many)); }
+
+  Number sum(Number a, const Number& b) const {
+    for (std::size_t p = 0; p < powers_; ++p) a[p] = plus(a[p], b[p]);
+    return a;
   }
 
-  const Choices& at(std::size_t power) const { return choices_[power % choices_.size()]; }
+  Number product(Number a, const Number& b) const {
+    for (std::size_t p = 0; p < powers_; ++p) a[p] = times(a[p], b[p]);
+    return a;
+  }
+
+  Number divided(Number a, std::uint64_t by) const {
+    for (std::uint64_t& number : a) number /= by;
+    return a;
+  }
+
+  // A cycle of so many equal things is left if the renaming, done as many times, leaves one.
+  Number cycles(const Number& a, int length) const {
+    Number result;
+    for (std::size_t p = 0; p < powers_; ++p) {
+      result.push_back(a[p * static_cast<std::size_t>(length) % powers_]);
+    }
+    return result;
+  }
 
  private:
-  std::vector<Choices> choices_;
+  std::size_t powers_;
 };
 
-// Counts open walks of one finger, but 1x at both of its ends. `twice` has the choices of the
-// renaming done twice.
-std::uint64_t single_open(const Choices& c, const Choices& twice) {
-  return plus(times(c.tips, unordered_pairs(c.ends, twice.ends)), times(c.anchors, c.ends));
-}
-
-// Counts walks through k > 1 fingers, from one end to the other.
-std::uint64_t open_walks(const Choices& c, int k) {
-  return times(power(c.last_fingers(), 2), times(power(c.joins, k - 1), power(c.tips, k - 2)));
-}
-
-std::uint64_t loop_walks(const Choices& c, int k) { return power(times(c.tips, c.joins), k); }
-
-// A palindrome of renamed motors has what the renaming, done twice, leaves as it is, but for the
-// join in its middle.
-std::uint64_t open_shapes(const PowerChoices& all, std::size_t p, int k) {
-  const Choices& c = all.at(p);
-  const Choices& twice = all.at(2 * p);
-  if (k == 1) return single_open(c, twice);
-  const std::uint64_t palindromes =
-      times(times(twice.last_fingers(), k % 2 == 0 ? c.joins : 1),
-            times(power(twice.joins, (k - 1) / 2), power(c.tips, (k - 1) / 2)));
-  return plus(open_walks(c, k), palindromes) / 2;
-}
-
-// Walks that the k reflections of a loop leave as they are. An axis passes through two opposite
-// beads of the ring of k fingers and k joins.
-std::uint64_t reflected_loops(const Choices& c, const Choices& twice, int k) {
-  const auto uk = static_cast<std::uint64_t>(k);
-  const int half = k / 2;
-  const auto walks = [&](int tips, std::uint64_t joins_on_axis, int pairs_of_joins) {
-    return times(power(c.tips, tips), times(joins_on_axis, power(twice.joins, pairs_of_joins)));
-  };
-  if (k % 2 == 1) return times(uk, walks(half + 1, c.joins, half));
-  return times(uk / 2,
-               plus(walks(half + 1, 1, half), walks(half, times(c.joins, c.joins), half - 1)));
-}
-
-std::uint64_t loop_shapes(const PowerChoices& all, std::size_t p, int k) {
-  std::uint64_t fixed = reflected_loops(all.at(p), all.at(2 * p), k);
-  for (int turn = 0; turn < k; ++turn) {
-    const int cycles = std::gcd(turn, k);
-    fixed = plus(fixed, loop_walks(all.at(p * static_cast<std::size_t>(k / cycles)), cycles));
+BeadKinds<PowerNumbers::Number> kinds_at_powers(const PartPowers& powers) {
+  BeadKinds<PowerNumbers::Number> kinds;
+  for (const PartSet& parts : powers) {
+    kinds.tips.push_back(parts.tips.size());
+    kinds.joins.push_back(parts.joins.size());
+    kinds.ends.push_back(times(parts.ends.size(), 1 + parts.beside.size()));
+    kinds.anchors.push_back(parts.anchored ? 1 : 0);
   }
-  return fixed / (2 * static_cast<std::uint64_t>(k));
+  return kinds;
 }
 
-std::uint64_t labelled_open(const Choices& c, int k) {
-  if (k == 1) return single_open(c, c);
-  const std::uint64_t walks = open_walks(c, k);
+std::uint64_t labelled_open(const BeadKinds<std::uint64_t>& c, int k) {
+  if (k == 1) return plus(times(c.tips, c.ends * (c.ends + 1) / 2), times(c.anchors, c.ends));
+  const std::uint64_t last_fingers = plus(times(c.tips, c.ends), c.anchors);
+  const std::uint64_t walks =
+      times(power(last_fingers, 2), times(power(c.joins, k - 1), power(c.tips, k - 2)));
   return walks == 0 ? 0 : times(walks, factorial(k) / 2);
 }
 
-std::uint64_t labelled_loops(const Choices& c, int k) {
+std::uint64_t labelled_loops(const BeadKinds<std::uint64_t>& c, int k) {
   if (k == 1) return times(c.tips, c.joins);
   if (k == 2) return times(power(c.tips, 2), c.joins * (c.joins + 1) / 2);
-  const std::uint64_t walks = loop_walks(c, k);
+  const std::uint64_t walks = power(times(c.tips, c.joins), k);
   return walks == 0 ? 0 : times(walks, factorial(k - 1) / 2);
 }
 
-TendonCounts tendon_counts(const PowerChoices& all, std::size_t p, int fingers,
-                           FingerIdentity identity) {
-  const Choices& c = all.at(p);
-  TendonCounts counts{0};
+// Tendons by [fingers][power]. Motors that are told apart are not renamed.
+std::vector<PowerNumbers::Number> tendons(const PartPowers& powers, int fingers,
+                                          FingerIdentity identity) {
+  const PowerNumbers numbers(powers.size());
+  const auto kinds = kinds_at_powers(powers);
+  const TendonShapes shapes(numbers, kinds);
+  const BeadKinds<std::uint64_t> of_all{kinds.tips[0], kinds.joins[0], kinds.ends[0],
+                                        kinds.anchors[0]};
+  std::vector<PowerNumbers::Number> counts{numbers.count(0)};
   for (int k = 1; k <= fingers; ++k) {
-    counts.push_back(identity == FingerIdentity::identical
-                         ? plus(open_shapes(all, p, k), loop_shapes(all, p, k))
-                         : plus(labelled_open(c, k), labelled_loops(c, k)));
+    if (identity == FingerIdentity::identical) {
+      counts.push_back(numbers.sum(shapes.open(k), shapes.loops(k)));
+    } else {
+      counts.push_back({plus(labelled_open(of_all, k), labelled_loops(of_all, k))});
+    }
   }
   return counts;
 }
@@ -170,14 +153,13 @@ SizeTable sets_of(const SizeTable& trees, FingerIdentity identity) {
 
 // A tendon without blocks is a tree by itself.
 std::vector<SizeTable> all_trees(const PartPowers& powers, int fingers, FingerIdentity identity) {
-  const PowerChoices choices(powers);
+  const auto without_blocks = tendons(powers, fingers, identity);
   TreeGrammar grammar(powers, fingers, identity);
   std::vector<SizeTable> all;
   for (std::size_t p = 0; p < powers.size(); ++p) {
     SizeTable& trees = all.emplace_back(TreeSize{fingers, powers.front().blocks});
-    const TendonCounts tendons = tendon_counts(choices, p, fingers, identity);
     for_each_size(trees.largest(), [&](TreeSize size) {
-      trees[size] = size.blocks == 0 ? tendons[static_cast<std::size_t>(size.fingers)]
+      trees[size] = size.blocks == 0 ? without_blocks[static_cast<std::size_t>(size.fingers)][p]
                                      : grammar.grammar().size(grammar.tree(size), p);
     });
   }
@@ -301,7 +283,9 @@ RoutingCounts with_all_of(int motors, const PartSet& parts, int fingers) {
 }  // namespace
 
 TendonCounts tendon_counts(const PartSet& parts, int fingers, FingerIdentity identity) {
-  return tendon_counts(PowerChoices({parts}), 0, fingers, identity);
+  TendonCounts counts;
+  for (const auto& of_size : tendons({parts}, fingers, identity)) counts.push_back(of_size.front());
+  return counts;
 }
 
 std::vector<std::uint64_t> tendon_sets(const TendonCounts& tendons, int largest,

@@ -21,6 +21,12 @@ PartClasses classes_for(const std::vector<std::string>& texts,
   return {constraints, options};
 }
 
+ClassCounts each_of(const PartClasses& classes, const std::vector<PartClass>& things) {
+  ClassCounts counts = no_counts(classes);
+  for (const PartClass thing : things) ++counts[thing];
+  return counts;
+}
+
 std::size_t verdict_of(const PartClasses& classes, const std::string& word) {
   return classes.verdict(classes.of(parse_routing(word)));
 }
@@ -77,7 +83,7 @@ TEST(ClassCounts, OfMultisetsAreThoseOfAllMultisets) {
   }
   EXPECT_EQ(multisets(classes, each_of(classes, things), 2), pairs);
   EXPECT_EQ(multisets(classes, each_of(classes, things), 3), triples);
-  EXPECT_EQ(multisets(classes, each_of(classes, things), 0), one_of(classes, PartClasses::none));
+  EXPECT_EQ(multisets(classes, each_of(classes, things), 0), each_of(classes, {PartClasses::none}));
 }
 
 TEST(ShapeCounts, AreThoseOfTheShapes) {
