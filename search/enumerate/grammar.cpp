@@ -154,10 +154,10 @@ std::pair<Grammar::Thing, Grammar::Thing> Grammar::split(const Thing& thing) con
   return {{node.of[0], first, own}, {node.of[1], digits.rest(), others}};
 }
 
-std::vector<Grammar::Thing> Grammar::members(const Thing& thing) const {
+Grammar::Members Grammar::members(const Thing& thing) const {
   const Node& node = nodes_[thing.sort];
   std::uint64_t index = thing.index;
-  std::vector<Thing> members;
+  Members members;
   for (auto many = static_cast<std::uint64_t>(node.many); many > 0; --many) {
     members.push_back({node.of[0], greatest_of_multiset(size(node.of[0]), many, index)});
   }

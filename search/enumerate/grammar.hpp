@@ -12,6 +12,8 @@
 // Renamed motors (counting.hpp): each power of a renaming leaves a number of things as they are.
 #pragma once
 
+#include <boost/container/small_vector.hpp>
+
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -111,7 +113,8 @@ class Grammar {
   // Of both, sides or labelled.
   std::pair<Thing, Thing> split(const Thing& thing) const;
   // Of a multiset, greatest first.
-  std::vector<Thing> members(const Thing& thing) const;
+  using Members = boost::container::small_vector<Thing, 8>;
+  Members members(const Thing& thing) const;
   // Appends the tokens of kinds, of a row or of a ring.
   void append_tokens(const Thing& thing, Walk& walk) const;
 

@@ -28,6 +28,9 @@ TreeGenerator::TreeGenerator(const GeneratorOptions& options)
       grammar_({options.parts}, options.fingers, options.identity),
       writer_(grammar_.grammar()) {
   const int n = options.fingers;
+  const auto blocks_at_most = static_cast<std::size_t>(options.parts.blocks);
+  spans_.reserve(blocks_at_most);
+  list_.tendons.reserve(2 * blocks_at_most);  // a root, and a tendon for each block
   if (!options.one_tendon) {
     for (int fingers = 1; fingers < n; ++fingers) {
       others_.emplace_back(without_blocks(options, fingers));

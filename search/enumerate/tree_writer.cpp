@@ -80,7 +80,7 @@ void TreeWriter::read(const Thing& thing, HalfTendon& half, SplitTendon& tendon)
       return read_sides(left, right, tendon);
     }
     case Form::multiset: {
-      const std::vector<Thing> members = grammar_.members(thing);
+      const Grammar::Members members = grammar_.members(thing);
       return read_sides(members[1], members[0], tendon);
     }
     case Form::tail:

@@ -11,6 +11,7 @@
 
 #include "core/routing.hpp"
 #include "search/enumerate/grammar.hpp"
+#include "search/enumerate/parts.hpp"
 
 namespace reeve::search {
 
@@ -46,7 +47,9 @@ struct TendonList {
 
 class TreeWriter {
  public:
-  explicit TreeWriter(const Grammar& grammar) : grammar_(grammar) {}
+  explicit TreeWriter(const Grammar& grammar) : grammar_(grammar) {
+    branches_.reserve(max_generated_blocks);
+  }
 
   // Appends the tree's tendons. Blocks, and bars likewise, are numbered from 1, fingers not at all
   // (identical) or as the index says.
