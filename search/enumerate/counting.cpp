@@ -5,119 +5,163 @@
 #include <numeric>
 
 #include "search/enumerate/checked.hpp"
-#include "search/enumerate/tree_sets.hpp"
+#include "search/enumerate/tendon_shapes.hpp"
+#include "search/enumerate/tree_grammar.hpp"
 
 namespace reeve::search {
 namespace {
 
-struct Choices {
-  std::uint64_t tips;
-  std::uint64_t joins;
-  std::uint64_t ends;
-  std::uint64_t anchors;
-
-  // The last finger of a tendon of several, with its end or as one.
-  std::uint64_t last_fingers() const { return plus(times(tips, ends), anchors); }
-};
-
-Choices choices(const PartSet& parts) {
-  return {parts.tips.size(), parts.joins.size(), times(parts.ends.size(), end_variants(parts)),
-          parts.anchored ? 1U : 0U};
-}
-
-// PowerChoices has the choices of each power of a renaming of the motors; see PartPowers.
-class PowerChoices {
+// What each power of a renaming of the motors leaves of some things (PartPowers).
+class PowerNumbers {
  public:
-  explicit PowerChoices(const PartPowers& powers) {
-    for (const PartSet& parts : powers) choices_.push_back(choices(parts));
+  using Number = std::vector<std::uint64_t>;
+
+  explicit PowerNumbers(std::size_t powers) : powers_(powers) {}
+
+  Number count(int many) const { return Number(powers_, static_cast<std::uint64_t>(many)); }
+
+  Number sum(Number a, const Number& b) const {
+    for (std::size_t p = 0; p < powers_; ++p) a[p] = plus(a[p], b[p]);
+    return a;
   }
 
-  const Choices& at(std::size_t power) const { return choices_[power % choices_.size()]; }
+  Number product(Number a, const Number& b) const {
+    for (std::size_t p = 0; p < powers_; ++p) a[p] = times(a[p], b[p]);
+    return a;
+  }
+
+  Number divided(Number a, std::uint64_t by) const {
+    for (std::uint64_t& number : a) number /= by;
+    return a;
+  }
+
+  // A cycle of so many equal things is left if the renaming, done as many times, leaves one.
+  Number cycles(const Number& a, int length) const {
+    Number result;
+    for (std::size_t p = 0; p < powers_; ++p) {
+      result.push_back(a[p * static_cast<std::size_t>(length) % powers_]);
+    }
+    return result;
+  }
 
  private:
-  std::vector<Choices> choices_;
+  std::size_t powers_;
 };
 
-// Counts open walks of one finger, but 1x at both of its ends. `twice` has the choices of the
-// renaming done twice.
-std::uint64_t single_open(const Choices& c, const Choices& twice) {
-  return plus(times(c.tips, unordered_pairs(c.ends, twice.ends)), times(c.anchors, c.ends));
-}
-
-// Counts walks through k > 1 fingers, from one end to the other.
-std::uint64_t open_walks(const Choices& c, int k) {
-  return times(power(c.last_fingers(), 2), times(power(c.joins, k - 1), power(c.tips, k - 2)));
-}
-
-std::uint64_t loop_walks(const Choices& c, int k) { return power(times(c.tips, c.joins), k); }
-
-// A palindrome of renamed motors has what the renaming, done twice, leaves as it is, but for the
-// join in its middle.
-std::uint64_t open_shapes(const PowerChoices& all, std::size_t p, int k) {
-  const Choices& c = all.at(p);
-  const Choices& twice = all.at(2 * p);
-  if (k == 1) return single_open(c, twice);
-  const std::uint64_t palindromes =
-      times(times(twice.last_fingers(), k % 2 == 0 ? c.joins : 1),
-            times(power(twice.joins, (k - 1) / 2), power(c.tips, (k - 1) / 2)));
-  return plus(open_walks(c, k), palindromes) / 2;
-}
-
-// Walks that the k reflections of a loop leave as they are. An axis passes through two opposite
-// beads of the ring of k fingers and k joins.
-std::uint64_t reflected_loops(const Choices& c, const Choices& twice, int k) {
-  const auto uk = static_cast<std::uint64_t>(k);
-  const int half = k / 2;
-  const auto walks = [&](int tips, std::uint64_t joins_on_axis, int pairs_of_joins) {
-    return times(power(c.tips, tips), times(joins_on_axis, power(twice.joins, pairs_of_joins)));
-  };
-  if (k % 2 == 1) return times(uk, walks(half + 1, c.joins, half));
-  return times(uk / 2,
-               plus(walks(half + 1, 1, half), walks(half, times(c.joins, c.joins), half - 1)));
-}
-
-std::uint64_t loop_shapes(const PowerChoices& all, std::size_t p, int k) {
-  std::uint64_t fixed = reflected_loops(all.at(p), all.at(2 * p), k);
-  for (int turn = 0; turn < k; ++turn) {
-    const int cycles = std::gcd(turn, k);
-    fixed = plus(fixed, loop_walks(all.at(p * static_cast<std::size_t>(k / cycles)), cycles));
+BeadKinds<PowerNumbers::Number> kinds_at_powers(const PartPowers& powers) {
+  BeadKinds<PowerNumbers::Number> kinds;
+  for (const PartSet& parts : powers) {
+    kinds.tips.push_back(parts.tips.size());
+    kinds.joins.push_back(parts.joins.size());
+    kinds.ends.push_back(times(parts.ends.size(), 1 + parts.beside.size()));
+    kinds.anchors.push_back(parts.anchored ? 1 : 0);
   }
-  return fixed / (2 * static_cast<std::uint64_t>(k));
+  return kinds;
 }
 
-std::uint64_t labelled_open(const Choices& c, int k) {
-  if (k == 1) return single_open(c, c);
-  const std::uint64_t walks = open_walks(c, k);
+std::uint64_t labelled_open(const BeadKinds<std::uint64_t>& c, int k) {
+  if (k == 1) return plus(times(c.tips, c.ends * (c.ends + 1) / 2), times(c.anchors, c.ends));
+  const std::uint64_t last_fingers = plus(times(c.tips, c.ends), c.anchors);
+  const std::uint64_t walks =
+      times(power(last_fingers, 2), times(power(c.joins, k - 1), power(c.tips, k - 2)));
   return walks == 0 ? 0 : times(walks, factorial(k) / 2);
 }
 
-std::uint64_t labelled_loops(const Choices& c, int k) {
+std::uint64_t labelled_loops(const BeadKinds<std::uint64_t>& c, int k) {
   if (k == 1) return times(c.tips, c.joins);
   if (k == 2) return times(power(c.tips, 2), c.joins * (c.joins + 1) / 2);
-  const std::uint64_t walks = loop_walks(c, k);
+  const std::uint64_t walks = power(times(c.tips, c.joins), k);
   return walks == 0 ? 0 : times(walks, factorial(k - 1) / 2);
 }
 
-TendonCounts tendon_counts(const PowerChoices& all, std::size_t p, int fingers,
-                           FingerIdentity identity) {
-  const Choices& c = all.at(p);
-  TendonCounts counts{0};
+// Tendons by [fingers][power]. Motors that are told apart are not renamed.
+std::vector<PowerNumbers::Number> tendons(const PartPowers& powers, int fingers,
+                                          FingerIdentity identity) {
+  const PowerNumbers numbers(powers.size());
+  const auto kinds = kinds_at_powers(powers);
+  const TendonShapes shapes(numbers, kinds);
+  const BeadKinds<std::uint64_t> of_all{kinds.tips[0], kinds.joins[0], kinds.ends[0],
+                                        kinds.anchors[0]};
+  std::vector<PowerNumbers::Number> counts{numbers.count(0)};
   for (int k = 1; k <= fingers; ++k) {
-    counts.push_back(identity == FingerIdentity::identical
-                         ? plus(open_shapes(all, p, k), loop_shapes(all, p, k))
-                         : plus(labelled_open(c, k), labelled_loops(c, k)));
+    if (identity == FingerIdentity::identical) {
+      counts.push_back(numbers.sum(shapes.open(k), shapes.loops(k)));
+    } else {
+      counts.push_back({plus(labelled_open(of_all, k), labelled_loops(of_all, k))});
+    }
   }
   return counts;
 }
 
+// A number for each size.
+class SizeTable {
+ public:
+  explicit SizeTable(TreeSize largest)
+      : largest_(largest), counts_(at({largest.fingers + 1, 0}), 0) {}
+
+  TreeSize largest() const { return largest_; }
+  std::uint64_t& operator[](TreeSize size) { return counts_[at(size)]; }
+  std::uint64_t operator[](TreeSize size) const { return counts_[at(size)]; }
+
+ private:
+  std::size_t at(TreeSize size) const {
+    const auto columns = static_cast<std::size_t>(largest_.blocks) + 1;
+    return static_cast<std::size_t>(size.fingers) * columns + static_cast<std::size_t>(size.blocks);
+  }
+
+  TreeSize largest_;
+  std::vector<std::uint64_t> counts_;
+};
+
+// Multisets, by the size of all their trees, of b_s trees of size s:
+//   Σ sets(n,k) z^n y^k = Π_s Σ_m multichoose(b_s, m) (z^fingers y^blocks)^m
+SizeTable multisets(const SizeTable& trees) {
+  SizeTable sets(trees.largest());
+  sets[{}] = 1;
+  for_each_size(trees.largest(), [&](TreeSize of_tree) {
+    if (trees[of_tree] == 0) return;
+    SizeTable with(trees.largest());
+    for_each_size(trees.largest(), [&](TreeSize size) {
+      for (int many = 0; is_within(many * of_tree, size); ++many) {
+        const auto of_size = multichoose(trees[of_tree], static_cast<std::uint64_t>(many));
+        with[size] = plus(with[size], times(of_size, sets[size - many * of_tree]));
+      }
+    });
+    sets = with;
+  });
+  return sets;
+}
+
+// Sets of trees with distinct fingers: the least finger's tree takes some of the others, and the
+// rest is such a set.
+SizeTable labelled_sets(const SizeTable& trees) {
+  SizeTable sets(trees.largest());
+  sets[{}] = 1;
+  for_each_size(trees.largest(), [&](TreeSize size) {
+    for_each_size(size, [&](TreeSize first) {
+      if (trees[first] == 0) return;
+      const auto others = choices_of(first.fingers - 1, size.fingers - 1, FingerIdentity::distinct);
+      sets[size] = plus(sets[size], times(times(others, trees[first]), sets[size - first]));
+    });
+  });
+  return sets;
+}
+
+SizeTable sets_of(const SizeTable& trees, FingerIdentity identity) {
+  return identity == FingerIdentity::identical ? multisets(trees) : labelled_sets(trees);
+}
+
 // A tendon without blocks is a tree by itself.
 std::vector<SizeTable> all_trees(const PartPowers& powers, int fingers, FingerIdentity identity) {
-  const PowerChoices choices(powers);
+  const auto without_blocks = tendons(powers, fingers, identity);
+  TreeGrammar grammar(powers, fingers, identity);
   std::vector<SizeTable> all;
-  for (const TreeCounts& counts : tree_counts(powers, fingers, identity)) {
-    const TendonCounts tendons = tendon_counts(choices, all.size(), fingers, identity);
-    SizeTable& trees = all.emplace_back(counts.trees);
-    for (int n = 1; n <= fingers; ++n) trees[{n, 0}] = tendons[static_cast<std::size_t>(n)];
+  for (std::size_t p = 0; p < powers.size(); ++p) {
+    SizeTable& trees = all.emplace_back(TreeSize{fingers, powers.front().blocks});
+    for_each_size(trees.largest(), [&](TreeSize size) {
+      trees[size] = size.blocks == 0 ? without_blocks[static_cast<std::size_t>(size.fingers)][p]
+                                     : grammar.grammar().size(grammar.tree(size), p);
+    });
   }
   return all;
 }
@@ -145,10 +189,10 @@ SizeTable cycles_of_trees(const std::vector<SizeTable>& powers) {
 }
 
 std::uint64_t routings(const SizeTable& trees, int fingers, FingerIdentity identity) {
-  const TreeSets sets(trees, identity);
+  const SizeTable sets = sets_of(trees, identity);
   std::uint64_t sum = 0;
   for (int blocks = 0; blocks <= trees.largest().blocks; ++blocks) {
-    sum = plus(sum, sets.count({fingers, blocks}));
+    sum = plus(sum, sets[{fingers, blocks}]);
   }
   return sum;
 }
@@ -239,7 +283,9 @@ RoutingCounts with_all_of(int motors, const PartSet& parts, int fingers) {
 }  // namespace
 
 TendonCounts tendon_counts(const PartSet& parts, int fingers, FingerIdentity identity) {
-  return tendon_counts(PowerChoices({parts}), 0, fingers, identity);
+  TendonCounts counts;
+  for (const auto& of_size : tendons({parts}, fingers, identity)) counts.push_back(of_size.front());
+  return counts;
 }
 
 std::vector<std::uint64_t> tendon_sets(const TendonCounts& tendons, int largest,
@@ -247,9 +293,9 @@ std::vector<std::uint64_t> tendon_sets(const TendonCounts& tendons, int largest,
   const int fingers = static_cast<int>(tendons.size()) - 1;
   SizeTable trees({fingers, 0});
   for (int n = 1; n <= largest; ++n) trees[{n, 0}] = tendons[static_cast<std::size_t>(n)];
-  const TreeSets sets(trees, identity);
+  const SizeTable sets = sets_of(trees, identity);
   std::vector<std::uint64_t> ways;
-  for (int n = 0; n <= fingers; ++n) ways.push_back(sets.count({n, 0}));
+  for (int n = 0; n <= fingers; ++n) ways.push_back(sets[{n, 0}]);
   return ways;
 }
 

@@ -11,7 +11,7 @@
 //     open   A^2 J^(k-1) t^(k-2) k! / 2             (k = 1 as above)
 //     loops  t^k J^k (k-1)! / 2                     (k = 1: tJ; k = 2: t^2 J (J+1) / 2)
 // A routing is a multiset of tendon shapes (identical fingers) or a set of labelled tendons. With
-// floating blocks, of trees of tendons (tree_counts.hpp, tree_sets.hpp); a tendon without blocks is
+// floating blocks, of trees of tendons (tree_grammar.hpp); a tendon without blocks is
 // a tree, too. What hangs on no motor is made of the parts that are not on the carriage.
 //
 // With K motors every join and end on a carriage is K kinds, and every motor pulls something.

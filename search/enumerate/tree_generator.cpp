@@ -9,36 +9,10 @@
 namespace reeve::search {
 namespace {
 
-std::strong_ordering compare_with_reversal(const Walk& walk) {
-  for (std::size_t i = 0, j = walk.size(); j-- > 0; ++i) {
-    if (const auto order = compare_shapes(walk[i], reversed(walk[j])); order != 0) return order;
-  }
-  return std::strong_ordering::equal;
-}
-
 std::strong_ordering compare_blocks(const Tendon& a, const Tendon& b) {
   return std::lexicographical_compare_three_way(
       a.walk.begin(), a.walk.end(), b.walk.begin(), b.walk.end(),
       [](const Token& x, const Token& y) { return x.block <=> y.block; });
-}
-
-bool is_lesser(const Walk& walk, Image a, Image b) {
-  for (std::size_t i = 0; i < walk.size(); ++i) {
-    const auto order = compare_shapes(image_token(walk, a, i), image_token(walk, b, i));
-    if (order != 0) return order < 0;
-  }
-  return false;
-}
-
-void walk_loop_from_least(Tendon& tendon) {
-  Image least = as_it_stands;
-  bool first = true;
-  for_each_image(tendon, [&](Image image) {
-    if (first || is_lesser(tendon.walk, image, least)) least = image;
-    first = false;
-    return true;
-  });
-  tendon = walked(tendon, least);
 }
 
 GeneratorOptions without_blocks(GeneratorOptions options, int fingers) {
@@ -49,106 +23,12 @@ GeneratorOptions without_blocks(GeneratorOptions options, int fingers) {
 
 }  // namespace
 
-void TreeWriter::write(const TreeIndex& tree, TendonList& list) {
-  const std::size_t begin = list.used;
-  decoder_.decode_root(tree, tendon_);
-  const std::size_t in_series = tendon_.risers.size();
-  branches_.assign(in_series, {});
-  write_tendon(tendon_, 0, branches_, list);
-  write_risers(list);
-  write_below(branches_, list, in_series);
-  if (in_series == 0) {
-    if (decoder_.has_bars()) number_blocks_in_order({&list.tendons[begin], list.used - begin});
-    return;
-  }
-  const auto first = list.tendons.begin() + static_cast<std::ptrdiff_t>(begin);
-  const auto end = list.tendons.begin() + static_cast<std::ptrdiff_t>(list.used);
-  // Fingers keep the numbers that they have.
-  const Routing written = canonical({{first, end}}, FingerIdentity::distinct);
-  std::copy(written.tendons.begin(), written.tendons.end(), first);
-}
-
-void TreeWriter::write_risers(TendonList& list) {
-  for (std::size_t i = 0; i < tendon_.risers.size(); ++i) {
-    SplitTendon riser;
-    riser.middle.push_back(block(TokenKind::block_tail, static_cast<int>(i) + 1));
-    riser.right = tendon_.risers[i];
-    write_tendon(riser, 0, branches_, list);
-  }
-}
-
-// Level by level: each tendon adds the branches that hang on it. Branch i hangs on block i + 1.
-void TreeWriter::write_below(std::vector<TreeIndex>& branches, TendonList& list, std::size_t from) {
-  for (std::size_t i = from; i < branches.size(); ++i) {
-    decoder_.decode_branch(branches[i], tendon_);
-    write_tendon(tendon_, static_cast<int>(i) + 1, branches, list);
-  }
-}
-
-// Puts tails in place of the branches. They get their numbers when the walking direction is
-// settled.
-void TreeWriter::join_halves(const SplitTendon& split, Tendon& tendon) const {
-  tendon.closed = split.closed;
-  tendon.walk.clear();
-  if (split.left.tail) tendon.walk.push_back(decoder_.tail_of(*split.left.tail));
-  tendon.walk.insert(tendon.walk.end(), split.left.tokens.rbegin(), split.left.tokens.rend());
-  tendon.walk.insert(tendon.walk.end(), split.middle.begin(), split.middle.end());
-  tendon.walk.insert(tendon.walk.end(), split.right.tokens.begin(), split.right.tokens.end());
-  if (split.right.tail) tendon.walk.push_back(decoder_.tail_of(*split.right.tail));
-}
-
-void TreeWriter::write_tendon(SplitTendon& split, int own_block, std::vector<TreeIndex>& branches,
-                              TendonList& list) {
-  Tendon& tendon = list.add();
-  join_halves(split, tendon);
-  if (tendon.closed) {
-    walk_loop_from_least(tendon);
-  } else if (stands_backwards(split, tendon.walk)) {
-    tendon = walked(tendon, {tendon.walk.size() - 1, true});
-    std::swap(split.left.tail, split.right.tail);
-  }
-  for (const auto* half : {&split.left, &split.right}) {
-    if (!half->tail) continue;
-    branches.push_back(*half->tail);
-    Token& tail = half == &split.left ? tendon.walk.front() : tendon.walk.back();
-    tail.block = static_cast<std::uint8_t>(branches.size());
-  }
-  for (Token& token : tendon.walk) {
-    if (!is_of_block(token.kind) || token.block > 0) continue;
-    token.block = static_cast<std::uint8_t>(own_block);
-  }
-}
-
-bool TreeWriter::stands_backwards(const SplitTendon& split, const Walk& walk) const {
-  const auto order = compare_with_reversal(walk);
-  if (order != 0) return order > 0;
-  return split.left.tail && split.right.tail && precedes(*split.right.tail, *split.left.tail);
-}
-
-// Rare: tendon by tendon, as they would be listed.
-bool TreeWriter::precedes(const TreeIndex& a, const TreeIndex& b) const {
-  if (a == b) return false;
-  TreeWriter writer(decoder_);
-  TendonList first;
-  TendonList second;
-  std::vector<TreeIndex> branches{a};
-  writer.write_below(branches, first);
-  branches.assign(1, b);
-  writer.write_below(branches, second);
-  return std::lexicographical_compare(
-      first.tendons.begin(), first.tendons.end(), second.tendons.begin(), second.tendons.end(),
-      [](const Tendon& x, const Tendon& y) { return compare_shapes(x, y) < 0; });
-}
-
 TreeGenerator::TreeGenerator(const GeneratorOptions& options)
     : options_(options),
-      counts_(tree_counts(options.parts, options.fingers, options.identity)),
-      decoder_(options_.parts, counts_, options.identity),
-      writer_(decoder_),
-      sets_(counts_.trees, options.identity) {
+      grammar_({options.parts}, options.fingers, options.identity),
+      writer_(grammar_.grammar()) {
   const int n = options.fingers;
   const auto blocks_at_most = static_cast<std::size_t>(options.parts.blocks);
-  trees_.reserve(blocks_at_most);
   spans_.reserve(blocks_at_most);
   list_.tendons.reserve(2 * blocks_at_most);  // a root, and a tendon for each block
   if (!options.one_tendon) {
@@ -163,13 +43,11 @@ TreeGenerator::TreeGenerator(const GeneratorOptions& options)
   }
 }
 
-std::uint64_t TreeGenerator::sets_of(TreeSize size) const {
-  return options_.one_tendon ? counts_.trees[size] : sets_.count(size);
-}
-
 void TreeGenerator::add_cell(TreeSize size) {
   const int n = options_.fingers;
-  Cell cell{size, times(choices_of(size.fingers, n, options_.identity), sets_of(size)), 1};
+  const Grammar::Sort of_sets = options_.one_tendon ? grammar_.tree(size) : grammar_.sets(size);
+  const std::uint64_t choices = choices_of(size.fingers, n, options_.identity);
+  Cell cell{size, of_sets, times(choices, grammar().size(of_sets)), 1};
   if (size.fingers < n) cell.tendons = others(cell).total();
   if (cell.sets == 0 || cell.tendons == 0) return;
   cells_.push_back(cell);
@@ -210,7 +88,7 @@ void TreeGenerator::advance() {
 }
 
 void TreeGenerator::start_set() {
-  decode_set();
+  list_set();
   beside_.tendons.clear();
   const Cell& cell = cells_[cell_];
   if (cell.size.fingers < options_.fingers) others(cell).seek(tendons_);
@@ -222,36 +100,45 @@ void TreeGenerator::make(std::size_t cell, std::uint64_t set, const Routing& of_
   if (!set_is_listed_ || cell_ != cell || set_ != set) {
     cell_ = cell;
     set_ = set;
-    decode_set();
+    list_set();
     set_is_listed_ = true;
   }
   beside_ = of_others;
   write(routing);
 }
 
-void TreeGenerator::decode_set() {
+void TreeGenerator::list_set() {
   const Cell& cell = cells_[cell_];
   Digits digits(set_);
   other_fingers_ = fingers_up_to(options_.fingers, options_.identity);
   const FingerSet fingers = take_some(other_fingers_, cell.size.fingers, digits, options_.identity);
-  if (options_.one_tendon) {
-    trees_.assign(1, {cell.size, digits.rest(), fingers});
-  } else {
-    sets_.decode(cell.size, digits.rest(), fingers, trees_);
-  }
-  list_trees();
-}
-
-void TreeGenerator::list_trees() {
   list_.used = 0;
   spans_.clear();
-  for (const TreeIndex& tree : trees_) {
-    const std::size_t begin = list_.used;
-    writer_.write(tree, list_);
-    spans_.push_back({tree.size.fingers, begin, list_.used});
-  }
+  list_trees({cell.of_sets, digits.rest(), fingers});
   std::sort(spans_.begin(), spans_.end(),
             [&](const Span& a, const Span& b) { return precedes(a, b); });
+}
+
+void TreeGenerator::list_trees(const Grammar::Thing& set) {
+  using Form = Grammar::Form;
+  const Grammar::Form form = grammar().node(set.sort).form;
+  if (form == Form::choice) {
+    list_trees(grammar().chosen(set));
+  } else if (form == Form::both || form == Form::labelled) {
+    const auto [first, second] = grammar().split(set);
+    list_trees(first);
+    list_trees(second);
+  } else if (form == Form::multiset) {
+    for (const Grammar::Thing& tree : grammar().members(set)) list_trees(tree);
+  } else if (form == Form::tree) {
+    Span span{0, list_.used, 0};
+    writer_.write(set, list_);
+    span.end = list_.used;
+    for (std::size_t t = span.begin; t < span.end; ++t) {
+      span.fingers += finger_count(list_.tendons[t]);
+    }
+    spans_.push_back(span);
+  }
 }
 
 bool TreeGenerator::precedes(const Span& a, const Span& b) const {

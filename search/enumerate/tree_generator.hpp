@@ -2,7 +2,7 @@
 //
 // A routing is a set of trees that each have a block, and tendons without blocks beside them
 // (tendon_generator.hpp). Fewer blocks come first, then more fingers on the trees that have them;
-// then the sets of trees follow by their indices (tree_sets.hpp), and with each the tendons. So
+// then the sets of trees follow by their indices (tree_grammar.hpp), and with each the tendons. So
 // nothing seen is remembered, nothing is made to be thrown away, and `seek` reckons where to begin.
 // The words are canonical; their order is not that of canonical.hpp.
 #pragma once
@@ -11,57 +11,17 @@
 #include <vector>
 
 #include "search/enumerate/tendon_generator.hpp"
-#include "search/enumerate/tree_index.hpp"
-#include "search/enumerate/tree_sets.hpp"
+#include "search/enumerate/tree_grammar.hpp"
+#include "search/enumerate/tree_writer.hpp"
 
 namespace reeve::search {
-
-// The words of trees: from an index to tendons in the order of core/canonical_tree.hpp.
-//
-// Each tendon is walked the way that makes the lesser word, by its tokens and, where these read the
-// same both ways, with the lesser branch first; the tendons stand level by level, and the blocks
-// are numbered as they appear. So with identical fingers what is written is canonical. Blocks in
-// series are left to core's canonical(), and so are distinct fingers, whose numbers decide, too.
-// Tendons one after the other; keeps the memory of those no longer in use.
-struct TendonList {
-  std::vector<Tendon> tendons;
-  std::size_t used = 0;
-
-  Tendon& add() {
-    if (used == tendons.size()) tendons.emplace_back();
-    return tendons[used++];
-  }
-};
-
-class TreeWriter {
- public:
-  explicit TreeWriter(const TreeDecoder& decoder) : decoder_(decoder) {
-    branches_.reserve(max_generated_blocks);
-  }
-
-  // Appends the tree's tendons. Blocks, and bars likewise, are numbered from 1, fingers not at all
-  // (identical) or as the index says.
-  void write(const TreeIndex& tree, TendonList& list);
-
- private:
-  void write_below(std::vector<TreeIndex>& branches, TendonList& list, std::size_t from = 0);
-  void write_risers(TendonList& list);
-  void write_tendon(SplitTendon& tendon, int own_block, std::vector<TreeIndex>& branches,
-                    TendonList& list);
-  void join_halves(const SplitTendon& split, Tendon& tendon) const;
-  bool stands_backwards(const SplitTendon& tendon, const Walk& walk) const;
-  bool precedes(const TreeIndex& a, const TreeIndex& b) const;
-
-  const TreeDecoder& decoder_;
-  SplitTendon tendon_;
-  std::vector<TreeIndex> branches_;
-};
 
 class TreeGenerator {
  public:
   // Routings whose trees with blocks have this size in all.
   struct Cell {
     TreeSize size;
+    Grammar::Sort of_sets{};    // sets of trees
     std::uint64_t sets = 0;     // number of sets of trees, on any of the fingers
     std::uint64_t tendons = 0;  // number of routings of the other fingers
   };
@@ -73,6 +33,7 @@ class TreeGenerator {
   TreeGenerator& operator=(const TreeGenerator&) = delete;
 
   std::uint64_t total() const { return total_; }
+  const Grammar& grammar() const { return grammar_.grammar(); }
 
   // The next call of next() gives the routing of this index, from 0.
   void seek(std::uint64_t index);
@@ -96,11 +57,10 @@ class TreeGenerator {
   };
 
   void add_cell(TreeSize size);
-  std::uint64_t sets_of(TreeSize size) const;
   TendonGenerator& others(const Cell& cell);
   void start_set();
-  void decode_set();
-  void list_trees();
+  void list_set();
+  void list_trees(const Grammar::Thing& set);
   bool precedes(const Span& a, const Span& b) const;
   void advance();
   void write(Routing& routing);
@@ -109,10 +69,8 @@ class TreeGenerator {
   void number_others();
 
   GeneratorOptions options_;
-  TreeCounts counts_;
-  TreeDecoder decoder_;
+  TreeGrammar grammar_;
   TreeWriter writer_;
-  TreeSets sets_;
   std::vector<TendonGenerator> others_;  // [fingers - 1]
   std::vector<Cell> cells_;
   std::uint64_t total_ = 0;
@@ -121,7 +79,6 @@ class TreeGenerator {
   std::uint64_t set_ = 0;
   std::uint64_t tendons_ = 0;  // the index of the routing of the other fingers
   bool set_is_listed_ = false;
-  std::vector<TreeIndex> trees_;
   TendonList list_;
   std::vector<Span> spans_;
   FingerSet other_fingers_ = 0;

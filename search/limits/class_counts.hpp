@@ -12,26 +12,12 @@ namespace reeve::search {
 using ClassCounts = std::vector<std::uint64_t>;  // [class]
 
 ClassCounts no_counts(const PartClasses& classes);
-// One thing of this class.
-ClassCounts one_of(const PartClasses& classes, PartClass of);
-// One thing of each.
-ClassCounts each_of(const PartClasses& classes, const std::vector<PartClass>& things);
-
-std::uint64_t sum_of(const ClassCounts& counts);
-ClassSet support(const ClassCounts& counts);
-
 void add(ClassCounts& to, const ClassCounts& counts, std::uint64_t times = 1);
 void subtract(ClassCounts& from, const ClassCounts& counts);
-// All numbers must be multiples.
-void divide(ClassCounts& counts, std::uint64_t by);
 
 // One of the first and one of the second.
 ClassCounts product(const PartClasses& classes, const ClassCounts& a, const ClassCounts& b);
 ClassCounts shifted(const PartClasses& classes, const ClassCounts& counts, PartClass by);
-// Counts the same thing taken `times` times.
-ClassCounts repeated(const PartClasses& classes, const ClassCounts& counts, int times);
-// Counts tuples of `exponent` things, each chosen independently.
-ClassCounts power(const PartClasses& classes, const ClassCounts& counts, int exponent);
 // Counts multisets of `many` things.
 ClassCounts multisets(const PartClasses& classes, const ClassCounts& counts, int many);
 // Sums that some of these things complete to a wanted one.
@@ -41,7 +27,7 @@ ClassSet completed_sums(const PartClasses& classes, const ClassCounts& counts,
 ClassCounts of_trees(const PartClasses& classes, const ClassCounts& trees);
 
 // Returns the number of tendons without blocks in each class of parts, by the formulas of
-// enumerate/counting.hpp for identical fingers. Element [k] has the tendons through k fingers up to
+// enumerate/tendon_shapes.hpp. Element [k] has the tendons through k fingers up to
 // their symmetries; [0] is empty.
 std::vector<ClassCounts> shape_counts(const PartClasses& classes, const PartSet& parts,
                                       int fingers);

@@ -80,26 +80,23 @@ LimitedCounts count_limited(const GeneratorOptions& options,
 LimitedTrees::LimitedTrees(const PartClasses& classes, const GeneratorOptions& options)
     : classes_(classes),
       trees_(options),
-      parts_(classes, options.parts, options.fingers),
+      parts_(classes, trees_.grammar()),
       beside_(classes, parts_without_blocks(options.parts), options.fingers, false) {
-  NumberedParts& numbered = parts_.numbered();
-  const NumberedParts::Goal whole = numbered.goal(classes.admitted_classes());
+  const NumberedParts::Goal whole = parts_.goal(classes.admitted_classes());
   std::uint64_t begin = 0;
   for (const TreeGenerator::Cell& cell : trees_.cells()) {
     const int others = options.fingers - cell.size.fingers;
     NumberedParts::Goal goal = whole;
     if (others > 0) {
-      goal = numbered.goal(
-          completed_sums(classes, beside_.counts(others), classes.admitted_classes()));
+      goal =
+          parts_.goal(completed_sums(classes, beside_.counts(others), classes.admitted_classes()));
     }
-    cells_.push_back({options.one_tendon ? parts_.tree(cell.size) : parts_.sets(cell.size), goal,
-                      others, begin});
+    cells_.push_back({cell.of_sets, goal, others, begin});
     begin = plus(begin, times(cell.sets, cell.tendons));
   }
 }
 
 ClassCounts LimitedTrees::counts_before(std::uint64_t index) {
-  NumberedParts& numbered = parts_.numbered();
   ClassCounts sum = no_counts(classes_);
   for (std::size_t c = 0; c < cells_.size() && cells_[c].begin < index; ++c) {
     const LimitedCell& cell = cells_[c];
@@ -107,11 +104,11 @@ ClassCounts LimitedTrees::counts_before(std::uint64_t index) {
     const std::uint64_t within = std::min(index - cell.begin, all.sets * all.tendons);
     const std::uint64_t set = within / all.tendons;
     const std::uint64_t rest = within % all.tendons;
-    const ClassCounts sets = numbered.counts_before(cell.sets, set);
+    const ClassCounts sets = parts_.counts_before(cell.sets, set);
     add(sum, cell.others == 0 ? sets : product(classes_, sets, beside_.counts(cell.others)));
     if (rest == 0) continue;
     add(sum, shifted(classes_, beside_.counts_before(cell.others, rest),
-                     numbered.parts_of(cell.sets, set)));
+                     parts_.parts_of(cell.sets, set)));
   }
   return sum;
 }
@@ -134,7 +131,7 @@ void LimitedTrees::seek(std::uint64_t index) {
   const std::uint64_t rest = digits.take(trees_.cells()[cell_].tendons);
   next_set_ = digits.rest();
   if (rest == 0) return;
-  set_ = NumberedParts::Found{next_set_, parts_.numbered().parts_of(cells_[cell_].sets, next_set_)};
+  set_ = NumberedParts::Found{next_set_, parts_.parts_of(cells_[cell_].sets, next_set_)};
   ++next_set_;
   start_beside(rest);
 }
@@ -142,7 +139,7 @@ void LimitedTrees::seek(std::uint64_t index) {
 bool LimitedTrees::next_set() {
   for (; cell_ < cells_.size(); ++cell_, next_set_ = 0) {
     ++steps_;
-    set_ = parts_.numbered().first(cells_[cell_].sets, next_set_, cells_[cell_].goal);
+    set_ = parts_.first(cells_[cell_].sets, next_set_, cells_[cell_].goal);
     if (!set_) continue;
     next_set_ = set_->index + 1;
     start_beside(0);
@@ -181,11 +178,10 @@ std::optional<std::uint64_t> LimitedTrees::place_of(const Routing& routing) {
   if (!others.tendons.empty()) beside = beside_.place_of(others);
   if (!beside) return std::nullopt;
   const auto c = static_cast<std::size_t>(found - cells.begin());
-  NumberedParts& numbered = parts_.numbered();
-  const NumberedParts::Goal equivalent = numbered.goal(ClassSet().set(classes_.of(tied)));
+  const NumberedParts::Goal equivalent = parts_.goal(ClassSet().set(classes_.of(tied)));
   Routing made;
-  for (auto set = numbered.first(cells_[c].sets, 0, equivalent); set;
-       set = numbered.first(cells_[c].sets, set->index + 1, equivalent)) {
+  for (auto set = parts_.first(cells_[c].sets, 0, equivalent); set;
+       set = parts_.first(cells_[c].sets, set->index + 1, equivalent)) {
     trees_.make(c, set->index, others, made);
     if (made == routing) return cells_[c].begin + set->index * found->tendons + *beside;
   }

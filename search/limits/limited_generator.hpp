@@ -13,7 +13,7 @@
 #include "search/enumerate/tree_generator.hpp"
 #include "search/evaluate/objectives.hpp"
 #include "search/limits/limited_tendons.hpp"
-#include "search/limits/tree_parts.hpp"
+#include "search/limits/numbered_parts.hpp"
 
 namespace reeve::search {
 
@@ -57,7 +57,7 @@ class LimitedTrees {
 
   const PartClasses& classes_;
   TreeGenerator trees_;
-  TreeParts parts_;
+  NumberedParts parts_;
   LimitedTendons beside_;
   std::vector<LimitedCell> cells_;  // parallel to the generator's cells
 

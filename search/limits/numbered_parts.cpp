@@ -11,46 +11,43 @@ std::uint64_t as_number(int many) { return static_cast<std::uint64_t>(many); }
 
 }  // namespace
 
-NumberedParts::Sort NumberedParts::add(Node node, ClassCounts counts) {
-  node.size = sum_of(counts);
-  node.counts = std::move(counts);
-  nodes_.push_back(std::move(node));
-  return nodes_.size() - 1;
+PartClass NumberedParts::of_kind(const Grammar::Kind& kind) const {
+  PartClass sum = PartClasses::none;
+  for (const Token& token : kind) sum = classes_.plus(sum, classes_.of(token));
+  return sum;
 }
 
-NumberedParts::Sort NumberedParts::kinds(std::vector<PartClass> of_kinds) {
-  ClassCounts counts = each_of(classes_, of_kinds);
-  return add({Form::kinds, {}, std::move(of_kinds), 0, 0, {}}, std::move(counts));
+PartClass NumberedParts::added(const Grammar::Node& part) const {
+  if (part.form == Form::loop) return classes_.of_loop();
+  const bool hangs = part.form == Form::hung || part.form == Form::riser;
+  return hangs ? classes_.of(part.token) : PartClasses::none;
 }
 
-NumberedParts::Sort NumberedParts::one_after_the_other(std::vector<Sort> sorts) {
-  ClassCounts counts = no_counts(classes_);
-  for (const Sort sort : sorts) search::add(counts, nodes_[sort].counts);
-  return add({Form::one_after_the_other, std::move(sorts), {}, 0, 0, {}}, std::move(counts));
+const ClassCounts& NumberedParts::counts(Sort sort) {
+  if (counts_.size() < grammar_.sorts()) counts_.resize(grammar_.sorts());
+  if (counts_[sort].empty()) counts_[sort] = counted(grammar_.node(sort));
+  return counts_[sort];
 }
 
-NumberedParts::Sort NumberedParts::both(Sort first, Sort second) {
-  return add({Form::both, {first, second}, {}, 0, 0, {}},
-             product(classes_, nodes_[first].counts, nodes_[second].counts));
-}
-
-NumberedParts::Sort NumberedParts::all_of(const std::vector<Sort>& sorts) {
-  Sort together = sorts.back();
-  for (std::size_t i = sorts.size() - 1; i-- > 0;) together = both(sorts[i], together);
-  return together;
-}
-
-NumberedParts::Sort NumberedParts::multisets(Sort of, int many) {
-  return add({Form::multisets, {of}, {}, many, 0, {}},
-             search::multisets(classes_, nodes_[of].counts, many));
-}
-
-NumberedParts::Sort NumberedParts::with(Sort sort, PartClass parts) {
-  return both(sort, kinds({parts}));
-}
-
-NumberedParts::Sort NumberedParts::trees(Sort sort) {
-  return add({Form::trees, {sort}, {}, 0, 0, {}}, of_trees(classes_, nodes_[sort].counts));
+ClassCounts NumberedParts::counted(const Grammar::Node& node) {
+  ClassCounts sum = no_counts(classes_);
+  switch (node.form) {
+    case Form::kinds:
+      for (const Grammar::Kind& kind : node.kinds) ++sum[of_kind(kind)];
+      return sum;
+    case Form::choice:
+      for (const Sort sort : node.of) add(sum, counts(sort));
+      return sum;
+    case Form::both:
+    case Form::sides:
+      return product(classes_, counts(node.of[0]), counts(node.of[1]));
+    case Form::multiset:
+      return multisets(classes_, counts(node.of[0]), node.many);
+    case Form::tree:
+      return of_trees(classes_, counts(node.of[0]));
+    default:
+      return shifted(classes_, counts(node.of[0]), added(node));
+  }
 }
 
 PartClass NumberedParts::parts_of(const Choice& choice, std::uint64_t index) const {
@@ -61,76 +58,85 @@ PartClass NumberedParts::parts_of(const Choice& choice, std::uint64_t index) con
 }
 
 PartClass NumberedParts::parts_of(Sort sort, std::uint64_t index) const {
-  const Node& node = nodes_[sort];
+  const Grammar::Node& node = grammar_.node(sort);
   switch (node.form) {
     case Form::kinds:
-      return node.parts[index];
-    case Form::one_after_the_other: {
-      Digits digits(index);
-      std::size_t i = 0;
-      while (!digits.is_among(size(node.of[i]))) ++i;
-      return parts_of(node.of[i], digits.rest());
+      return of_kind(node.kinds[index]);
+    case Form::choice: {
+      const Grammar::Thing chosen = grammar_.chosen({sort, index});
+      return parts_of(chosen.sort, chosen.index);
     }
-    case Form::both: {
-      const std::uint64_t firsts = size(node.of[0]);
-      return classes_.plus(parts_of(node.of[0], index % firsts),
-                           parts_of(node.of[1], index / firsts));
+    case Form::both:
+    case Form::sides: {
+      const auto [first, second] = grammar_.split({sort, index});
+      return classes_.plus(parts_of(first.sort, first.index), parts_of(second.sort, second.index));
     }
-    case Form::multisets:
-      return parts_of(Choice{node.of[0], node.many, size(node.of[0])}, index);
-    case Form::trees:
+    case Form::multiset:
+      return parts_of(choice(node), index);
+    case Form::tree:
       return classes_.of_tree(parts_of(node.of[0], index));
+    default:
+      return classes_.plus(parts_of(node.of[0], index), added(node));
   }
-  return PartClasses::none;
 }
 
-ClassCounts NumberedParts::counts_before(const Choice& choice, std::uint64_t index) const {
+ClassCounts NumberedParts::counts_before(const Choice& choice, std::uint64_t index) {
   if (choice.many == 0 || index == 0) return no_counts(classes_);
   const std::uint64_t greatest = greatest_of_multiset(choice.below, as_number(choice.many), index);
-  ClassCounts counts = search::multisets(classes_, counts_before(choice.of, greatest), choice.many);
-  search::add(
-      counts,
+  ClassCounts counts = multisets(classes_, counts_before(choice.of, greatest), choice.many);
+  add(counts,
       shifted(classes_, counts_before(Choice{choice.of, choice.many - 1, greatest + 1}, index),
               parts_of(choice.of, greatest)));
   return counts;
 }
 
-ClassCounts NumberedParts::counts_before_of_both(const Node& node, std::uint64_t index) const {
+ClassCounts NumberedParts::counts_before_of_both(const Grammar::Node& node, std::uint64_t index) {
   const std::uint64_t firsts = size(node.of[0]);
   const std::uint64_t second = index / firsts;
   ClassCounts sum = product(classes_, counts(node.of[0]), counts_before(node.of[1], second));
   if (index % firsts > 0) {
-    search::add(sum, shifted(classes_, counts_before(node.of[0], index % firsts),
-                             parts_of(node.of[1], second)));
+    add(sum,
+        shifted(classes_, counts_before(node.of[0], index % firsts), parts_of(node.of[1], second)));
   }
   return sum;
 }
 
-ClassCounts NumberedParts::counts_before(Sort sort, std::uint64_t index) const {
-  const Node& node = nodes_[sort];
-  if (index == 0) return no_counts(classes_);
-  if (index >= node.size) return node.counts;
-  switch (node.form) {
-    case Form::kinds:
-      return each_of(classes_,
-                     {node.parts.begin(), node.parts.begin() + static_cast<std::ptrdiff_t>(index)});
-    case Form::one_after_the_other: {
-      Digits digits(index);
-      ClassCounts counts = no_counts(classes_);
-      std::size_t i = 0;
-      for (; !digits.is_among(size(node.of[i])); ++i)
-        search::add(counts, nodes_[node.of[i]].counts);
-      search::add(counts, counts_before(node.of[i], digits.rest()));
-      return counts;
+ClassCounts NumberedParts::counts_before_of_several(const Grammar::Node& node,
+                                                    std::uint64_t index) {
+  Digits digits(index);
+  ClassCounts sum = no_counts(classes_);
+  for (const Sort sort : node.of) {
+    if (digits.is_among(size(sort))) {
+      add(sum, counts_before(sort, digits.rest()));
+      break;
     }
-    case Form::both:
-      return counts_before_of_both(node, index);
-    case Form::multisets:
-      return counts_before(Choice{node.of[0], node.many, size(node.of[0])}, index);
-    case Form::trees:
-      return of_trees(classes_, counts_before(node.of[0], index));
+    add(sum, counts(sort));
   }
-  return {};
+  return sum;
+}
+
+ClassCounts NumberedParts::counts_before(Sort sort, std::uint64_t index) {
+  const Grammar::Node& node = grammar_.node(sort);
+  if (index == 0) return no_counts(classes_);
+  if (index >= size(sort)) return counts(sort);
+  switch (node.form) {
+    case Form::kinds: {
+      ClassCounts sum = no_counts(classes_);
+      for (std::uint64_t i = 0; i < index; ++i) ++sum[of_kind(node.kinds[i])];
+      return sum;
+    }
+    case Form::choice:
+      return counts_before_of_several(node, index);
+    case Form::both:
+    case Form::sides:
+      return counts_before_of_both(node, index);
+    case Form::multiset:
+      return counts_before(choice(node), index);
+    case Form::tree:
+      return of_trees(classes_, counts_before(node.of[0], index));
+    default:
+      return shifted(classes_, counts_before(node.of[0], index), added(node));
+  }
 }
 
 }  // namespace reeve::search

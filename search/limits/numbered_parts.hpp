@@ -1,12 +1,10 @@
-// Things that are numbered from 0 and made of choices, with what parts each has.
+// The parts of the things of a grammar (enumerate/grammar.hpp), for identical fingers.
 //
-// A thing is one of a few kinds, one of several sorts of things one behind the other, a choice for
-// each of two things (the first of which varies first), or a multiset of things, greatest number
-// first (enumerate/checked.hpp). So the index of a thing is a number of mixed radix, as tree_index
-// reads it, and without making any of them one can say
+// How many things of each class there are is known of every sort. So without making any of them one
+// can say
 //   - how many of those below an index have which parts, and
-//   - which is the next from an index on whose parts are within limits, since how many there are of
-//     each class is known of every sort: what cannot meet the limits is passed over at once.
+//   - which is the next from an index on whose parts are within limits: what cannot meet the limits
+//     is passed over at once.
 #pragma once
 
 #include <cstdint>
@@ -16,32 +14,24 @@
 #include <unordered_map>
 #include <vector>
 
+#include "search/enumerate/grammar.hpp"
 #include "search/limits/class_counts.hpp"
 
 namespace reeve::search {
 
 class NumberedParts {
  public:
-  using Sort = std::size_t;
+  using Sort = Grammar::Sort;
   // Sums of parts that are wanted of a thing together with what is beside it.
   using Goal = std::size_t;
 
-  // Keeps the classes.
-  explicit NumberedParts(const PartClasses& classes) : classes_(classes) {}
+  // Keeps both.
+  NumberedParts(const PartClasses& classes, const Grammar& grammar)
+      : classes_(classes), grammar_(grammar) {}
 
-  Sort kinds(std::vector<PartClass> of_kinds);
-  Sort one_after_the_other(std::vector<Sort> sorts);
-  Sort both(Sort first, Sort second);
-  Sort all_of(const std::vector<Sort>& sorts);  // the first varies first
-  Sort multisets(Sort of, int many);
-  Sort with(Sort sort, PartClass parts);
-  // Trees, as they stand among others.
-  Sort trees(Sort sort);
-
-  std::uint64_t size(Sort sort) const { return nodes_[sort].size; }
-  const ClassCounts& counts(Sort sort) const { return nodes_[sort].counts; }
+  const ClassCounts& counts(Sort sort);
   PartClass parts_of(Sort sort, std::uint64_t index) const;
-  ClassCounts counts_before(Sort sort, std::uint64_t index) const;
+  ClassCounts counts_before(Sort sort, std::uint64_t index);
 
   Goal goal(const ClassSet& wanted);
   struct Found {
@@ -54,15 +44,7 @@ class NumberedParts {
   }
 
  private:
-  enum class Form : std::uint8_t { kinds, one_after_the_other, both, multisets, trees };
-  struct Node {
-    Form form{};
-    std::vector<Sort> of;
-    std::vector<PartClass> parts;  // class of each kind
-    int many = 0;
-    std::uint64_t size = 0;
-    ClassCounts counts;
-  };
+  using Form = Grammar::Form;
   // A multiset of so many numbers below a limit.
   struct Choice {
     Sort of = 0;
@@ -70,10 +52,18 @@ class NumberedParts {
     std::uint64_t below = 0;
   };
 
-  Sort add(Node node, ClassCounts counts);
+  std::uint64_t size(Sort sort) const { return grammar_.size(sort); }
+  Choice choice(const Grammar::Node& node) const {
+    return {node.of[0], node.many, size(node.of[0])};
+  }
+  PartClass of_kind(const Grammar::Kind& kind) const;
+  // What a part adds to the thing that it is made of.
+  PartClass added(const Grammar::Node& part) const;
+  ClassCounts counted(const Grammar::Node& node);
   PartClass parts_of(const Choice& choice, std::uint64_t index) const;
-  ClassCounts counts_before(const Choice& choice, std::uint64_t index) const;
-  ClassCounts counts_before_of_both(const Node& node, std::uint64_t index) const;
+  ClassCounts counts_before(const Choice& choice, std::uint64_t index);
+  ClassCounts counts_before_of_several(const Grammar::Node& node, std::uint64_t index);
+  ClassCounts counts_before_of_both(const Grammar::Node& node, std::uint64_t index);
 
   std::optional<Found> first(Sort sort, std::uint64_t from, PartClass beside, Goal goal);
   std::optional<Found> first_of_kinds(Sort sort, std::uint64_t from, PartClass beside, Goal goal);
@@ -88,7 +78,8 @@ class NumberedParts {
   bool can_meet(Sort sort, PartClass beside, Goal goal);
 
   const PartClasses& classes_;
-  std::vector<Node> nodes_;
+  const Grammar& grammar_;
+  std::vector<ClassCounts> counts_;  // [sort], as far as they were asked for
   std::vector<ClassSet> goals_;
   std::unordered_map<ClassSet, Goal> goal_of_;
   std::map<std::tuple<Goal, Sort>, Goal> completed_;

@@ -14,7 +14,7 @@ NumberedParts::Goal NumberedParts::goal(const ClassSet& wanted) {
 NumberedParts::Goal NumberedParts::completed_by(Sort sort, Goal of) {
   const auto known = completed_.find({of, sort});
   if (known != completed_.end()) return known->second;
-  const ClassSet set = completed_sums(classes_, nodes_[sort].counts, goals_[of]);
+  const ClassSet set = completed_sums(classes_, counts(sort), goals_[of]);
   return completed_[{of, sort}] = goal(set);
 }
 
@@ -35,9 +35,10 @@ bool NumberedParts::can_meet(Sort sort, PartClass beside, Goal of) {
 
 std::optional<NumberedParts::Found> NumberedParts::first_of_kinds(Sort sort, std::uint64_t from,
                                                                   PartClass beside, Goal of) {
-  const std::vector<PartClass>& kinds = nodes_[sort].parts;
+  const std::vector<Grammar::Kind>& kinds = grammar_.node(sort).kinds;
   for (std::uint64_t i = from; i < kinds.size(); ++i) {
-    if (goals_[of].test(classes_.plus(kinds[i], beside))) return Found{i, kinds[i]};
+    const PartClass parts = of_kind(kinds[i]);
+    if (goals_[of].test(classes_.plus(parts, beside))) return Found{i, parts};
   }
   return std::nullopt;
 }
@@ -45,7 +46,7 @@ std::optional<NumberedParts::Found> NumberedParts::first_of_kinds(Sort sort, std
 std::optional<NumberedParts::Found> NumberedParts::first_of_several(Sort sort, std::uint64_t from,
                                                                     PartClass beside, Goal of) {
   std::uint64_t before = 0;
-  for (const Sort part : nodes_[sort].of) {
+  for (const Sort part : grammar_.node(sort).of) {
     const std::uint64_t end = before + size(part);
     if (from < end) {
       if (auto found = first(part, from > before ? from - before : 0, beside, of)) {
@@ -61,8 +62,8 @@ std::optional<NumberedParts::Found> NumberedParts::first_of_several(Sort sort, s
 // The second, which varies last, must leave something for the first.
 std::optional<NumberedParts::Found> NumberedParts::first_of_both(Sort sort, std::uint64_t from,
                                                                  PartClass beside, Goal of) {
-  const Sort one = nodes_[sort].of[0];
-  const Sort other = nodes_[sort].of[1];
+  const Sort one = grammar_.node(sort).of[0];
+  const Sort other = grammar_.node(sort).of[1];
   const std::uint64_t firsts = size(one);
   std::uint64_t second = from / firsts;
   if (from % firsts > 0) {
@@ -111,23 +112,27 @@ std::optional<NumberedParts::Found> NumberedParts::first_of_choice(const Choice&
 std::optional<NumberedParts::Found> NumberedParts::first(Sort sort, std::uint64_t from,
                                                          PartClass beside, Goal of) {
   if (from >= size(sort) || !can_meet(sort, beside, of)) return std::nullopt;
-  const Node& node = nodes_[sort];
+  const Grammar::Node& node = grammar_.node(sort);
+  std::optional<Found> found;
   switch (node.form) {
     case Form::kinds:
       return first_of_kinds(sort, from, beside, of);
-    case Form::one_after_the_other:
+    case Form::choice:
       return first_of_several(sort, from, beside, of);
     case Form::both:
+    case Form::sides:
       return first_of_both(sort, from, beside, of);
-    case Form::multisets:
-      return first_of_choice({node.of[0], node.many, size(node.of[0])}, from, beside, of);
-    case Form::trees: {
-      auto found = first(node.of[0], from, PartClasses::none, of_trees_alone(beside, of));
+    case Form::multiset:
+      return first_of_choice(choice(node), from, beside, of);
+    case Form::tree:
+      found = first(node.of[0], from, PartClasses::none, of_trees_alone(beside, of));
       if (found) found->parts = classes_.of_tree(found->parts);
       return found;
-    }
+    default:
+      found = first(node.of[0], from, classes_.plus(beside, added(node)), of);
+      if (found) found->parts = classes_.plus(found->parts, added(node));
+      return found;
   }
-  return std::nullopt;
 }
 
 }  // namespace reeve::search

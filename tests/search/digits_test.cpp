@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "search/enumerate/checked.hpp"
-#include "search/enumerate/tree_index.hpp"
+#include "search/enumerate/grammar.hpp"
 #include "tests/search/generated.hpp"
 
 namespace reeve::testing {

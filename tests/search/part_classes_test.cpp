@@ -21,6 +21,12 @@ PartClasses classes_for(const std::vector<std::string>& texts,
   return {constraints, options};
 }
 
+ClassCounts each_of(const PartClasses& classes, const std::vector<PartClass>& things) {
+  ClassCounts counts = no_counts(classes);
+  for (const PartClass thing : things) ++counts[thing];
+  return counts;
+}
+
 std::size_t verdict_of(const PartClasses& classes, const std::string& word) {
   return classes.verdict(classes.of(parse_routing(word)));
 }
@@ -77,7 +83,7 @@ TEST(ClassCounts, OfMultisetsAreThoseOfAllMultisets) {
   }
   EXPECT_EQ(multisets(classes, each_of(classes, things), 2), pairs);
   EXPECT_EQ(multisets(classes, each_of(classes, things), 3), triples);
-  EXPECT_EQ(multisets(classes, each_of(classes, things), 0), one_of(classes, PartClasses::none));
+  EXPECT_EQ(multisets(classes, each_of(classes, things), 0), each_of(classes, {PartClasses::none}));
 }
 
 TEST(ShapeCounts, AreThoseOfTheShapes) {
@@ -137,21 +143,31 @@ TEST(LimitedTendons, GoOnWhereTheyWereAfterCounting) {
   }
 }
 
-// All there is, thing by thing.
+// Bearings to join by, with a motor's end behind them or without.
+Grammar::Kind pulleys(int many, bool on_motor = false) {
+  Grammar::Kind kind(static_cast<std::size_t>(many), plain(TokenKind::bearing_join));
+  if (on_motor) kind.push_back(motor_end());
+  return kind;
+}
+
+// All there is, thing by thing. A class is twice the pulleys, and one more on the motor.
 TEST(NumberedParts, SayWhatLiesBeforeAnIndexAndWhichIsNext) {
-  const PartClasses classes = classes_for({"sheaths<=6"});
-  NumberedParts numbered(classes);
-  const auto few = numbered.kinds({2, 4, 2});
-  const auto more = numbered.one_after_the_other(
-      {numbered.kinds({}), few, numbered.with(numbered.kinds({0, 6}), 2), numbered.kinds({1})});
-  const auto pairs = numbered.multisets(more, 2);
-  const auto product = numbered.both(few, numbered.trees(pairs));
-  const auto all = numbered.one_after_the_other(
-      {product, numbered.multisets(numbered.both(few, more), 3), numbered.multisets(few, 4)});
-  ASSERT_EQ(numbered.size(all), 3U * 21U + 18U * 19U * 20U / 6U + 15U);
+  const PartClasses classes = classes_for({"pulleys<=6"});
+  Grammar grammar(identical);
+  const auto few = grammar.kinds({pulleys(1), pulleys(2), pulleys(1)});
+  const auto hung = grammar.part(Grammar::Form::hung, grammar.kinds({pulleys(0), pulleys(3)}),
+                                 plain(TokenKind::bearing_join));
+  const auto more =
+      grammar.choice({grammar.choice({}), few, hung, grammar.kinds({{pulleys(0, true)}})});
+  const auto pairs = grammar.multiset(more, 2);
+  const auto product = grammar.both(few, grammar.part(Grammar::Form::tree, pairs));
+  const auto all = grammar.choice(
+      {product, grammar.multiset(grammar.sides(few, more), 3), grammar.multiset(few, 4)});
+  ASSERT_EQ(grammar.size(all), 3U * 21U + 18U * 19U * 20U / 6U + 15U);
+  NumberedParts numbered(classes, grammar);
   std::vector<PartClass> things;
   ClassCounts before = no_counts(classes);
-  for (std::uint64_t i = 0; i < numbered.size(all); ++i) {
+  for (std::uint64_t i = 0; i < grammar.size(all); ++i) {
     ASSERT_EQ(numbered.counts_before(all, i), before) << i;
     things.push_back(numbered.parts_of(all, i));
     ++before[things.back()];
@@ -161,7 +177,7 @@ TEST(NumberedParts, SayWhatLiesBeforeAnIndexAndWhichIsNext) {
                                 ClassSet().set(2), ClassSet()}) {
     const auto goal = numbered.goal(wanted);
     std::optional<std::uint64_t> next;
-    for (std::uint64_t i = numbered.size(all); i-- > 0;) {
+    for (std::uint64_t i = grammar.size(all); i-- > 0;) {
       if (wanted.test(things[i])) next = i;
       const auto found = numbered.first(all, i, goal);
       ASSERT_EQ(found.has_value(), next.has_value()) << i;
@@ -174,14 +190,15 @@ TEST(NumberedParts, SayWhatLiesBeforeAnIndexAndWhichIsNext) {
 
 // Tokens by themselves: the first multisets as they are counted off.
 TEST(NumberedParts, MultisetsHaveTheirGreatestFirst) {
-  const PartClasses classes = classes_for({"sheaths<=12"});
-  NumberedParts numbered(classes);
-  const auto pairs = numbered.multisets(numbered.kinds({2, 4, 8}), 2);
-  std::vector<int> sheaths;
-  for (std::uint64_t i = 0; i < numbered.size(pairs); ++i) {
-    sheaths.push_back(numbered.parts_of(pairs, i) / 2);
+  const PartClasses classes = classes_for({"pulleys<=12"});
+  Grammar grammar(identical);
+  const auto pairs = grammar.multiset(grammar.kinds({pulleys(1), pulleys(2), pulleys(4)}), 2);
+  const NumberedParts numbered(classes, grammar);
+  std::vector<int> many;
+  for (std::uint64_t i = 0; i < grammar.size(pairs); ++i) {
+    many.push_back(numbered.parts_of(pairs, i) / 2);
   }
-  EXPECT_EQ(sheaths, (std::vector<int>{2, 3, 4, 5, 6, 8}));
+  EXPECT_EQ(many, (std::vector<int>{2, 3, 4, 5, 6, 8}));
 }
 
 }  // namespace
