@@ -36,7 +36,37 @@ bool tells_of_motor(const Dataset& dataset) {
   return std::ranges::any_of(dataset.rows, tells);
 }
 
-void set_motor_scatter(Problem& problem, double relative) {
+// Greatest number of which both are multiples; 0 if there is none above `least`.
+double common_step(double a, double b, double least) {
+  while (b > least) {
+    const double rest = std::fmod(a, b);
+    a = b;
+    b = std::min(rest, a - rest);
+  }
+  return a > least ? a : 0;
+}
+
+// A motor tension that is known to a step q scatters by q / sqrt(12), if it was not set to these
+// values. 0 where the step is small beside the greatest tension.
+double deviation_of_rounding(const Dataset& dataset) {
+  constexpr double fine = 1e-3;
+  double greatest_N = 0;
+  for (const DatasetRow& row : dataset.rows) {
+    greatest_N = std::max(greatest_N, row.conditions.motor_tension_N);
+  }
+  double step_N = 0;
+  for (const DatasetRow& row : dataset.rows) {
+    if (!row.has_motor_tension) continue;
+    const double motor_N = row.conditions.motor_tension_N;
+    step_N = step_N == 0 ? motor_N
+                         : common_step(std::max(motor_N, step_N), std::min(motor_N, step_N),
+                                       fine * greatest_N);
+    if (step_N == 0) return 0;
+  }
+  return step_N / std::sqrt(12.0);
+}
+
+void set_motor_scatter(Problem& problem, double relative, double absolute_N) {
   const auto& rows = problem.dataset->rows;
   if (problem.motor_deviation_N.size() == 0) {
     problem.motor_deviation_N = VectorXd::Zero(static_cast<Index>(rows.size()));
@@ -44,7 +74,7 @@ void set_motor_scatter(Problem& problem, double relative) {
   for (std::size_t r = 0; r < rows.size(); ++r) {
     if (!rows[r].has_motor_tension || rows[r].motor_deviation_N > 0) continue;
     problem.motor_deviation_N[static_cast<Index>(r)] =
-        relative * rows[r].conditions.motor_tension_N;
+        std::hypot(relative * rows[r].conditions.motor_tension_N, absolute_N);
   }
 }
 
@@ -241,14 +271,16 @@ ScatterShape scatter_shape(const Dataset& dataset, const Model& reference,
   shape.reference = at;
   shape.motor_relative =
       median_size(deviation_N.cwiseQuotient(at.reading_N.cwiseAbs().cwiseMax(deviation_N)));
+  shape.rounded_N = deviation_of_rounding(dataset);
   const bool has_mountings =
       shape.knows_mountings && !given && shape.scatter.mounting.mounted_again > 0;
   for (const double mounting : mounting_levels) {
     if (mounting != 1 && !has_mountings) continue;
+    const bool tells = tells_of_motor(dataset);
     for (const double motor : motor_levels) {
-      if (motor != 0 && !tells_of_motor(dataset)) continue;
-      shape.levels.push_back({mounting, motor});
+      if (motor == 0 || tells) shape.levels.push_back({mounting, motor});
     }
+    if (tells && shape.rounded_N > 0) shape.levels.push_back({mounting, 0, true});
   }
   return shape;
 }
@@ -262,7 +294,10 @@ Likelihood seen_at(const Dataset& dataset, const ScatterShape& shape, const Fore
   const MountedScatter scatter = scatter_at(shape, level, scale);
   const auto seen = [&] {
     Problem result = problem(dataset, deviation_N);
-    if (level.motor > 0) set_motor_scatter(result, level.motor * shape.motor_relative);
+    if (level.motor_scatters()) {
+      set_motor_scatter(result, level.motor * shape.motor_relative,
+                        level.rounded ? shape.rounded_N / scale : 0);
+    }
     if (shape.set_motor_N) set_motor_as_response(result, *shape.set_motor_N, shape.reference);
     settle_motor_deviations(result, at);
     share_scatter(result, shape.modes, scatter, at);
@@ -300,7 +335,7 @@ Likelihood seen_at(const Dataset& dataset, const ScatterShape& shape, const Fore
 Likelihood likelihood(const Dataset& dataset, const ScatterShape& shape, const Forecast& at,
                       const ScatterLevel& level) {
   Likelihood first = seen_at(dataset, shape, at, level, 1);
-  if (is_fitted_in_all(shape.scatter.mounting)) return first;
+  if (is_fitted_in_all(shape.scatter.mounting) && !level.rounded) return first;
   return seen_at(dataset, shape, at, level, first.scale);
 }
 
@@ -313,11 +348,11 @@ Likelihood likelihood(const Dataset& dataset, const ScatterShape& shape, const F
   };
   // First the mountings, then the motor beside what is likeliest of them.
   for (const ScatterLevel& level : shape.levels) {
-    if (level.motor == 0) see(level);
+    if (!level.motor_scatters()) see(level);
   }
   const double mounting = best.level.mounting;
   for (const ScatterLevel& level : shape.levels) {
-    if (level.motor != 0 && level.mounting == mounting) see(level);
+    if (level.motor_scatters() && level.mounting == mounting) see(level);
   }
   return best;
 }

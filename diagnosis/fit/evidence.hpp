@@ -31,8 +31,11 @@ namespace reeve::diagnosis {
 inline constexpr double least_evidence = 3;
 
 struct ScatterLevel {
-  double mounting = 1;  // g_m
-  double motor = 0;     // g_M, times the relative noise of readings
+  double mounting = 1;   // g_m
+  double motor = 0;      // g_M, times the relative noise of readings
+  bool rounded = false;  // motor tensions scatter by what they were rounded to
+
+  bool motor_scatters() const { return motor > 0 || rounded; }
 };
 
 struct SetReadings {
@@ -54,6 +57,7 @@ struct ScatterShape {
   MountingModes modes;
   bool knows_mountings = false;
   double motor_relative = 0;  // a motor tension that nobody said to scatter, at g_M = 1
+  double rounded_N = 0;       // its standard deviation if it was rounded to the step that it has
   // The motor tension is what was read and the reading what was set, as of a weight that hangs
   // where the sensor is: all scatter is then the motor tension's, N.
   std::optional<double> set_motor_N;

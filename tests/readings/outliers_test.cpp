@@ -82,6 +82,37 @@ TEST(AnOutlier, IsNoLoadAboveSensorsThatReadNothing) {
   for (const Reading& reading : data.readings) EXPECT_TRUE(reading.motor_tension_N);
 }
 
+// The motor tensions of 32 rows, no two alike, come in an order in which neighbours differ.
+std::vector<PlainRow> shuffled_rows() {
+  auto rows = plain_rows();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double motor_N = 10.0 + 35.0 * static_cast<double>(i * 13 % 32) / 31;
+    for (double& tension_N : rows[i].tension_N) tension_N *= motor_N / rows[i].motor_N;
+    rows[i].motor_N = motor_N;
+  }
+  return rows;
+}
+
+TEST(AHeldValue, IsLeftOutAndNamed) {
+  auto rows = shuffled_rows();
+  for (const std::size_t i : {3U, 11U, 20U}) rows[i].tension_N[0] = rows[i - 1].tension_N[0];
+  rows[28].motor_N = rows[27].motor_N;
+  const MeasuredData data = read_data(file_of(rows));
+  for (const std::size_t i : {3U, 11U, 20U}) EXPECT_FALSE(data.readings[i].tension_N[0]);
+  EXPECT_FALSE(data.readings[28].motor_tension_N);
+  EXPECT_EQ(noted_lines(data.notes, NoteKind::outlier), (Lines{5, 13, 22, 30}));
+  const std::string text = note_text(data.notes, NoteKind::outlier);
+  EXPECT_NE(text.find("does the logger hold its last value?"), std::string::npos) << text;
+}
+
+// What a sensor reads at its end comes more than once.
+TEST(AHeldValue, IsNoEndOfASensor) {
+  auto rows = shuffled_rows();
+  for (PlainRow& row : rows) row.tension_N[0] = std::min(row.tension_N[0], 3.0);
+  const MeasuredData data = read_data(file_of(rows));
+  for (const DataNote& note : data.notes) EXPECT_NE(note.kind, NoteKind::outlier) << note.text;
+}
+
 TEST(AnOutlier, IsLeftOutAsACellAndNamed) {
   for (const bool with_motor : {true, false}) {
     auto rows = plain_rows();
