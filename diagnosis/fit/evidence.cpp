@@ -334,9 +334,13 @@ Likelihood seen_at(const Dataset& dataset, const ScatterShape& shape, const Fore
 
 Likelihood likelihood(const Dataset& dataset, const ScatterShape& shape, const Forecast& at,
                       const ScatterLevel& level) {
-  Likelihood first = seen_at(dataset, shape, at, level, 1);
-  if (is_fitted_in_all(shape.scatter.mounting) && !level.rounded) return first;
-  return seen_at(dataset, shape, at, level, first.scale);
+  constexpr int settling = 5;
+  Likelihood seen = seen_at(dataset, shape, at, level, 1);
+  if (is_fitted_in_all(shape.scatter.mounting) && !level.rounded) return seen;
+  for (int i = 0; i < (level.rounded ? settling : 1); ++i) {
+    seen = seen_at(dataset, shape, at, level, seen.scale);
+  }
+  return seen;
 }
 
 Likelihood likelihood(const Dataset& dataset, const ScatterShape& shape, const Forecast& at) {
