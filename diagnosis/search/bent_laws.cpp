@@ -9,7 +9,7 @@
 namespace reeve::diagnosis {
 namespace {
 
-constexpr std::size_t most_bends = 8;
+constexpr std::size_t most_bends = 10;
 constexpr std::size_t most_knots = 12;
 
 // A step that parts one run from all others says no more than that this run stands apart, which is

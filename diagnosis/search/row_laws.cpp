@@ -1,6 +1,7 @@
 #include "diagnosis/search/row_laws.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -57,6 +58,31 @@ std::optional<RowCovariate> row_covariate(Covariate covariate, const Dataset& da
   return RowCovariate{std::move(covariate), std::move(by_row), std::move(values), is_motor, false};
 }
 
+// Share of the variance of x that the place of its row in the run explains.
+double share_by_place(const VectorXd& x, const VectorXd& place) {
+  struct Sum {
+    double count = 0;
+    double of_x = 0;
+  };
+  std::map<double, Sum> by_place;
+  for (Index r = 0; r < x.size(); ++r) {
+    Sum& sum = by_place[place[r]];
+    sum.count += 1;
+    sum.of_x += x[r] - x.mean();
+  }
+  double between = 0;
+  for (const auto& [at, sum] : by_place) between += sum.of_x * sum.of_x / sum.count;
+  return between / (x.array() - x.mean()).square().sum();
+}
+
+// If each run goes through the same values of something that is recorded, that goes before.
+bool tells_more_than(const std::vector<RowCovariate>& recorded, const RowCovariate& place) {
+  constexpr double most = 0.8;
+  return std::ranges::none_of(recorded, [&](const RowCovariate& other) {
+    return share_by_place(other.by_row, place.by_row) > most;
+  });
+}
+
 }  // namespace
 
 std::vector<RowCovariate> row_covariates(const Dataset& dataset) {
@@ -74,9 +100,13 @@ std::vector<RowCovariate> row_covariates(const Dataset& dataset) {
     add(causes::covariate_named(name));
   }
   for (const char* name : {"order", "run"}) add(column(name), true);
-  if (dataset.data->runs.size() > 1) add(column("row_in_run"), true);
   add(column("sheath_angle_rad"));
   for (const std::string& name : dataset.data->covariates) add(column(name));
+  const std::vector<RowCovariate> recorded = result;
+  add(column("row_in_run"), true);
+  if (result.size() > recorded.size() && !tells_more_than(recorded, result.back())) {
+    result.pop_back();
+  }
   return result;
 }
 
