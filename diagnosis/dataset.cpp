@@ -14,13 +14,13 @@ namespace reeve::diagnosis {
 namespace {
 
 // Where the runs of some data stand, and their readings in them.
-struct Places {
+struct RowPlaces {
   std::vector<double> run;  // number of each run
   std::vector<double> row;  // place of each reading in its run, from 1, as they were taken
 };
 
-Places places(const MeasuredData& data) {
-  Places found{readings::run_numbers(data.runs), std::vector<double>(data.readings.size())};
+RowPlaces places(const MeasuredData& data) {
+  RowPlaces found{readings::run_numbers(data.runs), std::vector<double>(data.readings.size())};
   std::vector<std::size_t> taken(data.readings.size());
   std::iota(taken.begin(), taken.end(), std::size_t{0});
   std::ranges::sort(taken, {}, [&](std::size_t i) { return data.readings[i].taken; });
@@ -30,7 +30,7 @@ Places places(const MeasuredData& data) {
 }
 
 std::shared_ptr<const Record> record(const MeasuredData& data, std::size_t index,
-                                     const Places& places, double order) {
+                                     const RowPlaces& places, double order) {
   const Reading& reading = data.readings[index];
   Record result{data.runs[reading.run], reading.group ? data.groups[*reading.group] : "", {}};
   const auto add = [&](const std::string& name, std::optional<double> value) {
@@ -46,7 +46,7 @@ std::shared_ptr<const Record> record(const MeasuredData& data, std::size_t index
   return std::make_shared<const Record>(std::move(result));
 }
 
-Conditions conditions(const MeasuredData& data, std::size_t index, const Places& places) {
+Conditions conditions(const MeasuredData& data, std::size_t index, const RowPlaces& places) {
   const Reading& reading = data.readings[index];
   Conditions result;
   result.motor_tension_N = reading.motor_tension_N.value_or(result.motor_tension_N);
@@ -155,7 +155,7 @@ Dataset dataset(const MeasuredData& data, const std::vector<std::size_t>& readin
   Dataset result;
   result.data = &data;
   std::map<Key, std::size_t> blocks;
-  const Places where = places(data);
+  const RowPlaces where = places(data);
   for (const std::size_t index : readings) {
     const Reading& reading = data.readings[index];
     std::vector<Cell> cells;

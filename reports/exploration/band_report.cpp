@@ -158,15 +158,14 @@ std::string drawn_text(const UncertaintyOptions& options) {
   const UncertaintyRanges& ranges = options.ranges;
   const CoefficientBox box = coefficient_box(options.nominal.hardware, ranges);
   const ContactScatter& scatter = options.nominal.hardware.scatter;
-  const std::string bearings =
-      options.nominal.hardware.bearing.known
-          ? fmt::format("{:.4g}", options.nominal.hardware.bearing.mu)
-          : fmt::format("± {:.4g} %", 100 * ranges.bearing_mu_relative);
+  const std::string bearings = options.nominal.hardware.bearing.known
+                                   ? fmt::format("{:.4g}", options.nominal.hardware.bearing.mu)
+                                   : fmt::format("± {:.4g} %", 100 * ranges.bearing_mu_relative);
   return fmt::format(
       "tubes mu {}, sheaths mu {}, bearings mu {}, bends ± {:.4g} %, each contact ± {:.4g} % "
       "(bearings {:.4g} %)",
-      mu_text(box[0]), mu_text(box[1]), bearings, 100 * ranges.sheath_angle_relative, 100 * scatter.relative,
-      100 * scatter.bearing_relative);
+      mu_text(box[0]), mu_text(box[1]), bearings, 100 * ranges.sheath_angle_relative,
+      100 * scatter.relative, 100 * scatter.bearing_relative);
 }
 
 Section band_section(const std::vector<ListedDesign>& shown, const Order& order,
