@@ -269,8 +269,8 @@ void add_options(CLI::App& command, RankFlags& flags) {
   flags.readings.add_to(command, flags.data.option);
   command
       .add_option("--distribution-mu", flags.distributions,
-                  "Friction coefficients of the tension distributions on the page; 'model': those "
-                  "of hardware and model (default: 0.18,0.09, or model where that has others)")
+                  "Friction of the tension distributions on the page, or 'model' (default: "
+                  "0.18,0.09, or model)")
       ->needs(out);
   flags.stored.add_to(command);
   flags.ranking.add_to(command);
