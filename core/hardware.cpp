@@ -163,7 +163,8 @@ class FaultFinder {
   }
 
   void look_at(const SpoolHardware& spool) {
-    range("spools", spool.segment, std::abs(spool.ratio), spool_ratios);
+    const Bounds backward{-spool_ratios.high, -spool_ratios.low, ""};
+    range("spools", spool.segment, spool.ratio, spool.ratio < 0 ? backward : spool_ratios);
     const auto segment = segment_named(spool.segment);
     if (first_ || (segment && segment->kind == SegmentKind::motor_side)) return;
     first_ = {.where = hardware_place(hardware_, "spools." + spool.segment),

@@ -13,7 +13,7 @@
 namespace reeve::diagnosis {
 namespace {
 
-// Where the runs of some data stand, and their readings in them.
+// RowPlaces says where the runs of some data stand, and their readings in them.
 struct RowPlaces {
   std::vector<double> run;  // number of each run
   std::vector<double> row;  // place of each reading in its run, from 1, as they were taken

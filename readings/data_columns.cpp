@@ -76,7 +76,7 @@ void require(Header& header, DataRole role, const std::string& column,
   header.fail({.what = "the header has no column " + column, .expected = expected});
 }
 
-// What each column would mean that is a covariate, and that the user has said nothing of.
+// Guesses the meanings of the covariates that the user has said nothing of.
 std::vector<GuessedColumn> guesses(const Header& header, const std::optional<CsvRow>& units,
                                    const ReadingOptions& options) {
   std::vector<GuessedColumn> found;

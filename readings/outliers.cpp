@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t least_rows = 5;
 
-// Of the channel behind the last, the motor tension.
+// The channel behind the last is the motor tension.
 const std::optional<double>& cell_value(const Reading& reading, std::size_t channel) {
   return channel < reading.tension_N.size() ? reading.tension_N[channel] : reading.motor_tension_N;
 }

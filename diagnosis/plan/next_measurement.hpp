@@ -74,7 +74,7 @@ MeasurementPlan measurement_plan(const MeasuredData& data,
                                  const std::vector<MeasurableRouting>& further, const Noise& noise);
 
 // Separates the first of these explanations from the first other one that can be separated from it.
-// Nothing if no measurement does: they say the same of everything.
+// Returns nothing if no measurement does: they say the same of everything.
 std::optional<PlannedMeasurement> separating_measurement(const MeasurementPlan& plan,
                                                          const std::vector<Model>& models,
                                                          const std::vector<std::string>& names);

@@ -64,15 +64,16 @@ double share_by_place(const VectorXd& x, const VectorXd& place) {
     double count = 0;
     double of_x = 0;
   };
+  const VectorXd from_mean = x.array() - x.mean();
   std::map<double, Sum> by_place;
   for (Index r = 0; r < x.size(); ++r) {
     Sum& sum = by_place[place[r]];
     sum.count += 1;
-    sum.of_x += x[r] - x.mean();
+    sum.of_x += from_mean[r];
   }
   double between = 0;
   for (const auto& [at, sum] : by_place) between += sum.of_x * sum.of_x / sum.count;
-  return between / (x.array() - x.mean()).square().sum();
+  return between / from_mean.squaredNorm();
 }
 
 // If each run goes through the same values of something that is recorded, that goes before.

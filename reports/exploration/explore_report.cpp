@@ -148,7 +148,8 @@ std::vector<DocumentLine> opening_lines(const ExploreReport& report) {
   return lines;
 }
 
-// If the best design asks for more than the motor has, the limits that nobody has asked for.
+// Lines name the limits that nobody has asked for, if the best design asks for more than the motor
+// has.
 std::vector<DocumentLine> limit_lines(const ExploreReport& report) {
   if (!report.motor) return {};
   const MotorParts& motor = report.options.model.hardware.motor;

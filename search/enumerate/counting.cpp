@@ -11,7 +11,7 @@
 namespace reeve::search {
 namespace {
 
-// What each power of a renaming of the motors leaves of some things (PartPowers).
+// PowerNumbers counts the things that each power of a renaming of the motors leaves (PartPowers).
 class PowerNumbers {
  public:
   using Number = std::vector<std::uint64_t>;

@@ -108,11 +108,11 @@ class Grammar {
     friend bool operator==(const Thing&, const Thing&) = default;
   };
 
-  // Of a choice.
+  // Returns the thing that a choice chooses.
   Thing chosen(const Thing& thing) const;
-  // Of both, sides or labelled.
+  // Returns both parts of a pair, of two sides or of a labelled thing.
   std::pair<Thing, Thing> split(const Thing& thing) const;
-  // Of a multiset, greatest first.
+  // Members of a multiset come greatest first.
   using Members = boost::container::small_vector<Thing, 8>;
   Members members(const Thing& thing) const;
   // Appends the tokens of kinds, of a row or of a ring.

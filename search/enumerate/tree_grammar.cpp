@@ -19,7 +19,7 @@ Kinds join_kinds(const PartSet& parts) {
   return kinds;
 }
 
-// Nothing, or a join.
+// A bead is nothing, or a join.
 Kinds bead_kinds(const PartSet& parts) {
   Kinds kinds = join_kinds(parts);
   kinds.insert(kinds.begin(), Grammar::Kind{});
@@ -32,7 +32,7 @@ Kinds beside_kinds(const PartSet& parts) {
   return kinds;
 }
 
-// What stands between two tails.
+// Kinds of what may stand between two tails.
 Kinds kinds_between_tails(const PartSet& parts) {
   Kinds kinds = beside_kinds(parts);
   if (!parts.linked) kinds.erase(kinds.begin());
@@ -145,7 +145,7 @@ TreeGrammar::Sort TreeGrammar::middle(int m) {
   return m % 2 == 1 ? tips_ : joins_;
 }
 
-// From the bead beside the middle on.
+// Returns one half, from the bead beside the middle on.
 TreeGrammar::Sort TreeGrammar::mirrored_half(int m) {
   if (!are_identical() || m == 1) return empty_;
   return known(Name::mirrored, m, {}, [&] {

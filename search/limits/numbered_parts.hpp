@@ -57,7 +57,7 @@ class NumberedParts {
     return {node.of[0], node.many, size(node.of[0])};
   }
   PartClass of_kind(const Grammar::Kind& kind) const;
-  // What a part adds to the thing that it is made of.
+  // Returns the class that a part adds to the thing that it is made of.
   PartClass added(const Grammar::Node& part) const;
   ClassCounts counted(const Grammar::Node& node);
   PartClass parts_of(const Choice& choice, std::uint64_t index) const;

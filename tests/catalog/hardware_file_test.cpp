@@ -177,7 +177,7 @@ TEST(HardwareFile, NamesThePlaceOfABadNumber) {
       {"[spools]\nb = 0\n",
        "h.toml:2:1: hardware: spools.b = 0: expected a number from 0.001 to 1000"},
       {"[spools]\nb = -2000\n",
-       "h.toml:2:1: hardware: spools.b = 2000: expected a number from 0.001 to 1000"},
+       "h.toml:2:1: hardware: spools.b = -2000: expected a number from -1000 to -0.001"},
       {"[spools]\nb = nan\n", "h.toml:2:5: spools.b = nan: expected a finite number"},
       {"[spools]\nx9 = 0.5\n",
        "h.toml:2:1: hardware: spools 'x9': expected a motor-side segment such as a"},
