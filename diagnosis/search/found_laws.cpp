@@ -81,6 +81,16 @@ LeverLaw FoundLaws::law_of_part(std::size_t l, std::size_t parts, bool is_run) c
   return result;
 }
 
+LeverLaw FoundLaws::law_of_tension(std::size_t l, const Covariate& tension, std::size_t n,
+                                   std::size_t tensions) const {
+  const Lever& lever = columns_.lever(l);
+  const std::size_t behind_load = columns_.load() + 1;
+  LeverLaw law{l, {What::straight, behind_load + n}, {}, 0};
+  law.term = {lever.target, lever.site, Form::linear, tension, {}};
+  law.price = price_of_form(law.term) + std::log(static_cast<double>(tensions));
+  return law;
+}
+
 double FoundLaws::bent_evidence(std::size_t l, std::size_t c, double gain, int parameters) const {
   const Lever& lever = columns_.lever(l);
   return gain - price(lever) - price_of(lever, c) -

@@ -43,6 +43,9 @@ class FoundLaws {
   LeverLaw law(std::size_t lever, const RowLaw& of) const;
   // The constant that one of so many runs or groups has by itself.
   LeverLaw law_of_part(std::size_t lever, std::size_t parts, bool is_run) const;
+  // An offset in proportion to the n-th of so many tensions.
+  LeverLaw law_of_tension(std::size_t lever, const Covariate& tension, std::size_t n,
+                          std::size_t tensions) const;
 
   // Keeps it if it is possible, and has evidence.
   void keep(const LeverLaw& law, double gain, std::vector<double> values,

@@ -46,6 +46,7 @@ class LawColumns {
     return c == load() ? *lever.load : covariate(c);
   }
   const Dataset& dataset() const { return *problem_.dataset; }
+  const Forecast& forecast() const { return at_; }
   double degrees_of_freedom() const { return projection_.degrees_of_freedom(); }
   // The residuals, as columns meet them that are in units of the noise alone.
   const Eigen::VectorXd& pulled_back() const { return pulled_back_; }

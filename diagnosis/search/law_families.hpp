@@ -33,6 +33,10 @@ inline constexpr std::size_t few_runs = 4;
 // Screens what one run or one group does by itself.
 void screen_parts(const LawColumns& columns, FoundLaws& found);
 
+// Screens offsets of channels in proportion to another channel's tension or to the motor's: they
+// are 0 where it is, or a wrong zero would seem a part of them.
+void screen_tensions(const LawColumns& columns, FoundLaws& found);
+
 // Returns the laws of all families with the most evidence first, at most so many, of different
 // sites or covariates. The problem is of some of the table's readings, all cells of each.
 std::vector<ScreenedLaw> best_laws(const LawTable& table, const Problem& problem,

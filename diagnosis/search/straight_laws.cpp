@@ -96,16 +96,15 @@ class StraightLaws {
            columns_.covariate(law.x).is_motor && !is_read;
   }
 
-  // An offset in proportion to the motor tension is a gain, which has laws of its own.
-  bool is_a_gain(const Lever& lever, const RowLaw& law) const {
+  // An offset in proportion to the motor tension is a gain of the motor, and at channels a tension
+  // that they read besides (screen_tensions).
+  bool follows_motor(const Lever& lever, const RowLaw& law) const {
     if (lever.target != Target::offset || law.form == Form::constant ||
         law.form == Form::quadratic) {
       return false;
     }
-    if (law.form != Form::product) {
-      return lever.site.place == SitePlace::motor && columns_.covariate(law.x).is_motor;
-    }
-    return columns_.covariate(law.x).is_motor || columns_.covariate(law.y).is_motor;
+    return columns_.covariate(law.x).is_motor ||
+           (law.form == Form::product && columns_.covariate(law.y).is_motor);
   }
 
   void screen(std::size_t l, const std::vector<RowLaw>& laws, std::size_t j, const MatrixXd& seen) {
@@ -118,7 +117,7 @@ class StraightLaws {
                  laws, [&](const RowLaw& law) { return law.form == form && law.x == c; }) -
              laws.begin();
     };
-    if (is_a_gain(lever, of) || bends_elsewhere(lever, of)) return;
+    if (follows_motor(lever, of) || bends_elsewhere(lever, of)) return;
     if (of.form == Form::quadratic) {
       note_bend(l, of.x, seen, {column(of.x, false), own});
     } else if (of.form == Form::product) {
