@@ -293,7 +293,7 @@ void CsvReader::require_line_end() const {
 }
 
 bool is_missing(std::string_view text) {
-  constexpr std::array words{"", "-", "--", "nan", "na", "n/a", "#n/a", "null"};
+  constexpr std::array words{"", "-", "--", "nan", "na", "n/a", "n.a.", "#n/a", "null"};
   const std::string small = lower(text);
   return std::any_of(words.begin(), words.end(), [&](const char* word) { return small == word; });
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "numerics/robust.hpp"
@@ -20,6 +21,7 @@ constexpr double regular_within = 0.2;
 constexpr std::size_t least_rows_without_clock = 1000;
 constexpr double least_autocorrelation = 0.7;
 constexpr double least_of_differences = -0.3;
+constexpr double most_autocorrelation_of_set = 0.3;
 
 constexpr double no_share = std::numeric_limits<double>::quiet_NaN();
 
@@ -55,27 +57,28 @@ bool is_regular(const std::vector<double>& steps, double usual) {
   return static_cast<double>(regular) >= regular_share * static_cast<double>(steps.size());
 }
 
-std::optional<DataNote> by_clock(const MeasuredData& data, std::size_t clock) {
-  const std::vector<double> steps = clock_steps(data, clock);
-  if (steps.size() + 1 < least_fast_rows) return std::nullopt;
-  const double usual = median(steps);
-  if (!(usual > 0)) return std::nullopt;
-  const bool regular = steps.size() + 1 >= least_rows_by_clock && is_regular(steps, usual);
-  if (!regular && usual > fast_step_s) return std::nullopt;
-  return DataNote{
-      NoteKind::time_series,
-      fmt::format("{} rows with a clock (column '{}', every {:.3g} s) are a logger's time series, "
-                  "whose neighbouring rows are no readings of their own: make readings of it "
-                  "(reeve import)",
-                  data.readings.size(), data.covariates[clock], usual)};
-}
-
-// Share of the motor tension, or of the sum of the row's tensions.
-double share_of_load(const Reading& reading, std::size_t channel) {
+// The motor tension, or the sum of the row's tensions.
+double load_of(const Reading& reading) {
   double load_N = reading.motor_tension_N.value_or(0);
   if (!reading.motor_tension_N) {
     for (const std::optional<double>& tension : reading.tension_N) load_N += tension.value_or(0);
   }
+  return load_N;
+}
+
+// What the rows say one after the other, cut between runs and routings.
+template <typename Value>
+std::vector<double> in_a_row(const MeasuredData& data, Value value) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < data.readings.size(); ++i) {
+    if (i > 0 && !follows(data.readings[i], data.readings[i - 1])) values.push_back(no_share);
+    values.push_back(value(data.readings[i]));
+  }
+  return values;
+}
+
+double share_of_load(const Reading& reading, std::size_t channel) {
+  const double load_N = load_of(reading);
   if (!reading.tension_N[channel] || load_N <= 0) return no_share;
   return *reading.tension_N[channel] / load_N;
 }
@@ -97,18 +100,36 @@ double lag_one(const std::vector<double>& values) {
     together += (values[i] - mean) * (values[i - 1] - mean);
     alone += (values[i - 1] - mean) * (values[i - 1] - mean);
   }
-  return alone > 0 ? together / alone : 0;
+  return alone > 0 ? together / alone : no_share;
+}
+
+// The load of a row says nothing of that of the next one: each was set by itself.
+bool is_set_anew(const MeasuredData& data) {
+  return lag_one(in_a_row(data, load_of)) < most_autocorrelation_of_set;
+}
+
+std::optional<DataNote> by_clock(const MeasuredData& data, std::size_t clock) {
+  const std::vector<double> steps = clock_steps(data, clock);
+  if (steps.size() + 1 < least_fast_rows) return std::nullopt;
+  const double usual = median(steps);
+  if (!(usual > 0)) return std::nullopt;
+  const bool regular =
+      steps.size() + 1 >= least_rows_by_clock && is_regular(steps, usual) && !is_set_anew(data);
+  if (!regular && usual > fast_step_s) return std::nullopt;
+  return DataNote{
+      NoteKind::time_series,
+      fmt::format("{} rows with a clock (column '{}', every {:.3g} s) are a logger's time series, "
+                  "whose neighbouring rows are no readings of their own: make readings of it "
+                  "(reeve import)",
+                  data.readings.size(), data.covariates[clock], usual)};
 }
 
 bool goes_on_from_row_to_row(const MeasuredData& data, std::size_t channel) {
-  std::vector<double> shares;
-  std::vector<double> differences;
-  for (std::size_t i = 0; i < data.readings.size(); ++i) {
-    const bool cut = i > 0 && !follows(data.readings[i], data.readings[i - 1]);
-    if (cut) shares.push_back(no_share);
-    shares.push_back(share_of_load(data.readings[i], channel));
-    differences.push_back(shares.size() > 1 ? shares.back() - shares[shares.size() - 2] : no_share);
-  }
+  const std::vector<double> shares =
+      in_a_row(data, [&](const Reading& reading) { return share_of_load(reading, channel); });
+  std::vector<double> differences(shares.size(), no_share);
+  std::transform(shares.begin() + 1, shares.end(), shares.begin(), differences.begin() + 1,
+                 std::minus{});
   return lag_one(shares) > least_autocorrelation && lag_one(differences) > least_of_differences;
 }
 

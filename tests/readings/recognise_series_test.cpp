@@ -84,6 +84,11 @@ TEST(RecogniseSeries, TakesReadingsForReadingsHoweverManyThereAre) {
   EXPECT_FALSE(
       is_series({.count = 400, .correlation = 0, .clock = "time_s", .step_s = 60, .jitter = 0.9}));
   EXPECT_FALSE(is_series({.count = 500}));
+  // By a machine, every 40 s, with loads in a random order.
+  EXPECT_FALSE(is_series(
+      {.count = 400, .correlation = 0, .clock = "time_s", .step_s = 40, .load = [](double share) {
+         return 20 + 10 * std::sin(1e5 * share);
+       }}));
 }
 
 // Five readings of each sweep, evenly, and then a rest: what an import writes.

@@ -44,7 +44,7 @@ TEST(ALoggersFile, IsReadWhateverItsFormLooksLike) {
 }
 
 TEST(ALoggersFile, MayMarkMissingNumbersInManyWays) {
-  for (const char* missing : {"", "-", "--", "NaN", "nan", "NA", "n/a", "#N/A", "NULL"}) {
+  for (const char* missing : {"", "-", "--", "NaN", "nan", "NA", "n/a", "N.A.", "#N/A", "NULL"}) {
     const std::string cell(missing);
     const MeasuredData data =
         read_data("run,routing,held,direction,speed_mm_s,T1_N,T2_N,x\nA,TR5," + cell + "," + cell +
