@@ -48,15 +48,15 @@ void read_neighbours(std::span<Sensor> sensors, const Conditions&, const Effect&
 std::vector<CauseRow> sensor_causes() {
   return {
       // The motor does not give it: springs that open the fingers, or a tendon that was knotted
-      // tight.
+      // tight. Below 0 it is what sensors lost that were tared under a preload.
       //
       //   T_strand' = T_strand + T_p
       //
       // T_p in N; 0: none. Literature: soft gloves are mounted with 0 to 2 N (order of magnitude).
       {.name = "pretension",
        .reach = Reach::reading,
-       .meaning = "every strand carries a further constant tension",
-       .parameters = {{"tension_N", "N", 0, {0, 10}, Range{0, 2}}},
+       .meaning = "every strand reads a constant tension beside the motor's",
+       .parameters = {{"tension_N", "N", 0, {-10, 10}, Range{0, 2}}},
        .subjects =
            [](const Survey& survey) {
              const std::vector<Segment>& channels = survey.channels;

@@ -130,7 +130,7 @@ MountedScatter scatter_at(const ScatterShape& shape, const ScatterLevel& level, 
       continue;
     }
     scatter[k] *= level.mounting;
-    scatter[k] = std::min(scatter[k], most_believed_scatter * assumed_scatter[k]);
+    scatter[k] = std::min(scatter[k], most_believed_scatter[k]);
   }
   return scatter;
 }

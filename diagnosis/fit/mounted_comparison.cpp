@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "diagnosis/fit/null_model.hpp"
+#include "numerics/robust.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -94,11 +95,20 @@ MatrixXd condition_columns(const Problem& problem, const MountingModes& modes) {
   return result;
 }
 
+// A reading that is far off is so by accident, or by a law: of mountings it says no more than one
+// at the limit.
+VectorXd limited(const VectorXd& residuals) {
+  const std::vector<double> all(residuals.begin(), residuals.end());
+  constexpr double usual = 10;
+  const double limit = usual * std::max(mad_about_zero(all), 1.0);
+  return residuals.cwiseMax(-limit).cwiseMin(limit);
+}
+
 class MountedComparison {
  public:
   MountedComparison(const Problem& problem, const Forecast& at, const MountingModes& modes)
       : common_(problem, at), modes_(modes), problem_(problem), at_(at) {
-    residuals_ = own_residuals(problem, at);
+    residuals_ = limited(own_residuals(problem, at));
     conditions_ = without_scales(condition_columns(problem, modes));
     loadings_ = without_scales(problem.deviation_N.cwiseInverse().asDiagonal() * modes.by_share_N);
     // A difference between groups of rows is no scatter of mountings.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "diagnosis/fit/forecast.hpp"
+#include "diagnosis/fit/scatter_samples.hpp"
 #include "numerics/chi_squared.hpp"
 #include "numerics/random.hpp"
 
@@ -16,6 +17,7 @@ MountedDraws::MountedDraws(const Dataset& dataset, const Model& model,
     : model_(model),
       scatter_(scatter),
       cells_(dataset.cells.size()),
+      median_reading_N_(median_reading(dataset)),
       channels_(dataset.data->channels.size()) {
   for (std::size_t kind = 0; kind < contact_kinds; ++kind) {
     most_contacts_ =
@@ -55,9 +57,12 @@ Eigen::VectorXd MountedDraws::draw(std::uint64_t seed, std::uint32_t stream,
   const MountedScatter scatter = of_a_rig(seed, stream, first);
   first += mounted_kinds;
   const double tau = scatter[static_cast<std::size_t>(Mounted::gain)];
+  const double zero_N = scatter[static_cast<std::size_t>(Mounted::zero)] * median_reading_N_;
   const std::size_t gains = contact_kinds * most_contacts_;
-  // Contacts by their number among those of their kind, channels, and at last the motor.
-  std::vector<double> z(gains + channels_ + 1);
+  const std::size_t zeros = gains + channels_;
+  // Contacts by their number among those of their kind, gains and zeros of channels, and at last
+  // the motor's gain.
+  std::vector<double> z(zeros + channels_ + 1);
   const ChangedExponents exponents([&](double phi, const ContactLoad& load) {
     const std::optional<Mounted> kind = mounted_kind(load.kind);
     if (!kind || load.number >= most_contacts_) return phi;
@@ -73,8 +78,10 @@ Eigen::VectorXd MountedDraws::draw(std::uint64_t seed, std::uint32_t stream,
     for (const DatasetRow& row : part.dataset.rows) {
       const double motor = row.has_motor_tension ? 1 + tau * z.back() : 1;
       for (std::size_t i = row.first; i < row.last; ++i) {
-        const double own = 1 + tau * z[gains + part.dataset.cells[i].channel];
-        drawn[part.cells[i]] = reading_N[static_cast<Eigen::Index>(i)] * motor * own;
+        const std::size_t channel = part.dataset.cells[i].channel;
+        const double own = 1 + tau * z[gains + channel];
+        drawn[part.cells[i]] =
+            reading_N[static_cast<Eigen::Index>(i)] * motor * own + zero_N * z[zeros + channel];
       }
     }
   }

@@ -1,6 +1,6 @@
 // Readings as rigs would give them that are mounted anew at random, by the model itself.
 //
-//   φ_c (1 + τ' z_c),   T_j (1 + τ' z_j),   z standard normal, new in each mounting
+//   φ_c (1 + τ' z_c),   T_j (1 + τ' z_j) + τ'_0 T̃ z_0j,   z standard normal, new in each mounting
 //   τ' = τ √(ν / χ²_ν)                      new in each rig; ν differences told τ
 //
 // whitening.hpp draws the same to second order in the exponents (mounting.hpp). Where contacts
@@ -38,6 +38,7 @@ class MountedDraws {
   Model model_;
   MountingScatter scatter_;
   std::size_t cells_ = 0;
+  double median_reading_N_ = 0;  // T̃
   std::size_t channels_ = 0;
   std::size_t most_contacts_ = 0;  // greatest number of one kind in one routing
   std::vector<Part> parts_;

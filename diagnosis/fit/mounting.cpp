@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "diagnosis/fit/forecast.hpp"
+#include "diagnosis/fit/scatter_samples.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -126,24 +127,46 @@ class Exponents {
   std::vector<One> ones_;
 };
 
-void put_gains(const Dataset& dataset, const VectorXd& reading, MountingModes& modes,
-               std::vector<VectorXd>& columns) {
+// The columns that change something.
+void put(Mounted kind, std::vector<VectorXd> own, MountingModes& modes,
+         std::vector<VectorXd>& columns) {
+  for (VectorXd& column : own) {
+    if (column.isZero(0)) continue;
+    modes.kind.push_back(kind);
+    columns.push_back(std::move(column));
+  }
+}
+
+std::vector<VectorXd> gains(const Dataset& dataset, const VectorXd& reading) {
   const std::size_t channels = dataset.data->channels.size();
-  std::vector<VectorXd> own(channels, VectorXd::Zero(reading.size()));
-  VectorXd motor = VectorXd::Zero(reading.size());
+  std::vector<VectorXd> result(channels + 1, VectorXd::Zero(reading.size()));
   for (const DatasetRow& row : dataset.rows) {
     for (std::size_t i = row.first; i < row.last; ++i) {
       const auto k = static_cast<Index>(i);
-      own[dataset.cells[i].channel][k] = reading[k];
-      if (row.has_motor_tension) motor[k] = reading[k];
+      result[dataset.cells[i].channel][k] = reading[k];
+      if (row.has_motor_tension) result[channels][k] = reading[k];
     }
   }
-  own.push_back(std::move(motor));
-  for (VectorXd& column : own) {
-    if (column.isZero(0)) continue;
-    modes.kind.push_back(Mounted::gain);
-    columns.push_back(std::move(column));
+  return result;
+}
+
+// A few readings of one mounting do not tell a zero from a gain, or from their noise.
+std::vector<VectorXd> zeros(const Dataset& dataset) {
+  constexpr std::size_t enough = 8;
+  const auto cells = static_cast<Index>(dataset.cells.size());
+  const double median_N = median_reading(dataset);
+  std::vector<VectorXd> result(dataset.data->channels.size(), VectorXd::Zero(cells));
+  for (const Mounting& mounting : mountings(dataset)) {
+    std::vector<std::vector<Index>> of_channel(result.size());
+    for (const Index i : mounting.cells) {
+      of_channel[dataset.cells[static_cast<std::size_t>(i)].channel].push_back(i);
+    }
+    for (std::size_t channel = 0; channel < result.size(); ++channel) {
+      if (of_channel[channel].size() < enough) continue;
+      for (const Index i : of_channel[channel]) result[channel][i] = median_N;
+    }
   }
+  return result;
 }
 
 }  // namespace
@@ -167,7 +190,7 @@ std::size_t most_of_a_kind(const Dataset& dataset, ContactKind kind) {
 }
 
 const char* mounted_name(Mounted kind) {
-  constexpr std::array names{"sheath", "tube", "bearing", "gain"};
+  constexpr std::array names{"sheath", "tube", "bearing", "gain", "zero"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -194,7 +217,8 @@ MountingModes mounting_modes(const Dataset& dataset, const Model& model, Workers
   if (!at) return modes;
   std::vector<VectorXd> columns;
   Exponents(dataset, model, at->reading_N, workers).put(modes, columns);
-  put_gains(dataset, at->reading_N, modes, columns);
+  put(Mounted::gain, gains(dataset, at->reading_N), modes, columns);
+  put(Mounted::zero, zeros(dataset), modes, columns);
   modes.by_share_N.resize(at->reading_N.size(), static_cast<Index>(columns.size()));
   for (std::size_t c = 0; c < columns.size(); ++c) {
     modes.by_share_N.col(static_cast<Index>(c)) = columns[c];

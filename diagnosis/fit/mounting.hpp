@@ -1,7 +1,8 @@
 // Mounting scatter: the readings of one mounting (one routing in one run) share its effects on the
-// friction of each contact and on the gain of each channel.
+// friction of each contact and on the gain and the zero of each channel.
 //
-//   φ_c = φ (1 + τ z_c),   T_j = T_j (1 + τ z_j),   z standard normal, new in each mounting
+//   φ_c = φ (1 + τ z_c),   T_j = T_j (1 + τ z_j) + τ_0 T̃ z_0j,   z standard normal, new in each
+//   mounting; T̃ the median reading
 //
 // to first order: with D the standard deviations of the readings' own noise and j_k the change of
 // the mounting's readings by the k-th of these, the readings of a mounting have the covariance
@@ -29,14 +30,15 @@
 
 namespace reeve::diagnosis {
 
-// Exponents of sheaths, tubes and bearings, gains of channels (that of the motor tension is one).
-enum class Mounted : std::uint8_t { sheath, tube, bearing, gain };
-inline constexpr std::size_t mounted_kinds = 4;
+// Exponents of sheaths, tubes and bearings, gains and zeros of channels; the motor tension has a
+// gain, too.
+enum class Mounted : std::uint8_t { sheath, tube, bearing, gain, zero };
+inline constexpr std::size_t mounted_kinds = 5;
 const char* mounted_name(Mounted kind);
 // As what a contact is mounted; none for those that no mounting changes.
 std::optional<Mounted> mounted_kind(ContactKind contact);
 
-// Relative, one standard deviation from mounting to mounting.
+// Relative, one standard deviation from mounting to mounting; of zeros to the median reading.
 using MountedScatter = std::array<double, mounted_kinds>;
 
 struct Mounting {

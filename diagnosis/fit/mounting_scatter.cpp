@@ -127,9 +127,8 @@ bool is_told(const MountingScatter& scatter, Mounted kind) {
 MountingScatter believed(MountingScatter scatter) {
   if (scatter.given) return scatter;
   for (std::size_t k = 0; k < mounted_kinds; ++k) {
-    const double most = most_believed_scatter * assumed_scatter[k];
-    scatter.is_bounded |= scatter.relative[k] > most;
-    scatter.relative[k] = std::min(scatter.relative[k], most);
+    scatter.is_bounded |= scatter.relative[k] > most_believed_scatter[k];
+    scatter.relative[k] = std::min(scatter.relative[k], most_believed_scatter[k]);
   }
   return scatter;
 }
@@ -139,7 +138,7 @@ MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
   constexpr int evaluations = 60;
   constexpr double finely = 1e-3;  // share of the logarithms' range; readings resolve far less
   constexpr double least = 1e-3;   // times the assumed scatter
-  constexpr double most = 20;
+  constexpr double most = 100;
   MountingScatter result;
   result.given = given.has_value();
   for (const Mounted kind : modes.kind) result.present[static_cast<std::size_t>(kind)] = true;
@@ -149,11 +148,11 @@ MountingScatter mounting_scatter(const Problem& problem, const Forecast& at,
   std::vector<std::size_t> free;
   for (std::size_t k = 0; k < mounted_kinds; ++k) {
     if (!result.present[k]) continue;
-    const bool is_gain = k == static_cast<std::size_t>(Mounted::gain);
+    const bool is_of_channels = k >= static_cast<std::size_t>(Mounted::gain);
     const double of_exponents = given.value_or(assumed_scatter[0]);
-    result.relative[k] = !given    ? assumed_scatter[k]
-                         : is_gain ? of_exponents * assumed_scatter[k] / assumed_scatter[0]
-                                   : of_exponents;
+    result.relative[k] = !given           ? assumed_scatter[k]
+                         : is_of_channels ? of_exponents * assumed_scatter[k] / assumed_scatter[0]
+                                          : of_exponents;
     if (!given && told[k] >= 1) free.push_back(k);
   }
   const auto at_logarithms = [&](const std::vector<double>& x) {

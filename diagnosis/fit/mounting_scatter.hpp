@@ -22,14 +22,14 @@
 namespace reeve::diagnosis {
 
 // A rig that nobody knows. Exponents: ten lifts over one carabiner and one pulley, and strands of
-// one hand's routings, scatter by 3 to 9 % (docs/diagnosis.md); gains: what load cells are quoted
-// with.
-inline constexpr MountedScatter assumed_scatter{0.04, 0.04, 0.10, 0.005};
+// one hand's routings, scatter by 3 to 9 % (docs/diagnosis.md); gains
+// and zeros: what load cells are quoted with.
+inline constexpr MountedScatter assumed_scatter{0.04, 0.04, 0.10, 0.005, 0.002};
 
-// Times the assumed one: more than in any rig in print. A cause that is not in the model yet can
-// look like it, and so can contacts that stick in one mounting and slide in another, which is no
-// straight line.
-inline constexpr double most_believed_scatter = 3;
+// More than in any rig in print, but for zeros: a sensor may be tared under any preload. A cause
+// that is not in the model yet can look like it, and so can contacts that stick in one mounting and
+// slide in another, which is no straight line.
+inline constexpr MountedScatter most_believed_scatter{0.12, 0.12, 0.30, 0.015, 0.10};
 
 struct MountingScatter {
   MountedScatter relative{};  // τ

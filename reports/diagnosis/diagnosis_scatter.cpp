@@ -8,12 +8,14 @@
 namespace reeve::reports {
 namespace {
 
-constexpr std::array all_kinds{Mounted::sheath, Mounted::tube, Mounted::bearing, Mounted::gain};
+constexpr std::array all_kinds{Mounted::sheath, Mounted::tube, Mounted::bearing, Mounted::gain,
+                               Mounted::zero};
 
 const char* of_what(Mounted kind) {
   // In the order of Mounted.
   constexpr std::array names{"the sheaths' exponents", "the tubes' exponents",
-                             "the bearings' exponents", "the channels' gains"};
+                             "the bearings' exponents", "the channels' gains",
+                             "the channels' zeros (of the median reading)"};
   return names.at(static_cast<std::size_t>(kind));
 }
 

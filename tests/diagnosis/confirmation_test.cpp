@@ -33,10 +33,13 @@ TEST(Confirmation, ForecastsWithNothingThatAFoldFindsBesidesWhatIsNamed) {
   const auto differ = [&](const Forecast& at) {
     return (at.reading_N - of_named.reading_N).cwiseAbs().maxCoeff();
   };
-  ASSERT_GT(differ(joined(folds, training, &Fold::forecast)), 1);
+  const double beside_N = differ(joined(folds, training, &Fold::forecast));
+  ASSERT_GT(beside_N, 1);
   Confirmation confirmation(training, nominal, options, std::move(folds), found, workers);
   EXPECT_EQ(confirmation.remove_the_others(), std::vector<std::string>{});
-  EXPECT_LT(differ(joined(confirmation.folds(), training, &Fold::forecast)), 1e-3);
+  // The fit without it starts elsewhere, and ends a little elsewhere.
+  constexpr double hardly = 1e-2;
+  EXPECT_LT(differ(joined(confirmation.folds(), training, &Fold::forecast)), hardly * beside_N);
 }
 
 }  // namespace

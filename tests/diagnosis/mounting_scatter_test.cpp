@@ -194,7 +194,7 @@ std::string with_scattering_motor(std::uint64_t seed) {
   for (int run = 1; run <= 8; ++run) {
     for (const char* word : {"M-1-T-2-F", "M-1-P-2-M", "1-P-2-P-1"}) {
       const Network network = expand(parse_routing(word));
-      for (const int turn : {0, 1, 2, 0, 1, 2}) {
+      for (const int turn : {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2}) {
         const Grasp grasp = turn == 0 ? Grasp{} : hold({turn});
         const Direction direction = row % 2 == 0 ? Direction::pull : Direction::release;
         const TensionState state = tensions(network, mechanics(network, {}), grasp, direction);

@@ -1,5 +1,6 @@
-// What rows say by their place in the run, and by the step to which their motor tension is known:
-// readings of TR1 with finger 1 held, by the paper's equations. Noise is drawn here.
+// Rows that differ by their place in the run, by the step to which their motor tension is known, by
+// zeros that each run has, and by what one channel reads of another: readings of TR1 by the paper's
+// equations, or planted ones. Noise is drawn here.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -10,8 +11,10 @@
 
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/fit/evidence.hpp"
+#include "diagnosis/fit/scatter_samples.hpp"
 #include "numerics/random.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
+#include "tests/support/planting.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -73,6 +76,38 @@ TEST(RoundedMotorTension, IsExactIfItWasSetSo) {
   const auto pulls = [](double motor_N, int) { return 2 * std::round(motor_N / 2); };
   const auto to_2_N = [](double motor_N) { return 2 * std::round(motor_N / 2); };
   EXPECT_FALSE(nominal_likelihood(read_data(rows_csv(pulls, to_2_N))).level.rounded);
+}
+
+// Each channel is tared anew for each run.
+TEST(ZerosOfRuns, ScatterAndAreNoCause) {
+  constexpr double deviation_N = 0.1;
+  MeasuredData data = read_data(rows_csv([](double motor_N, int) { return motor_N; }, as_it_is));
+  for (Reading& reading : data.readings) {
+    for (std::size_t c = 0; c < reading.tension_N.size(); ++c) {
+      *reading.tension_N[c] += deviation_N * normal(2, 9, 10 * reading.run + c);
+    }
+  }
+  const DiagnosisResult result = diagnose(data, {}, {});
+  EXPECT_EQ(result.verdict, Verdict::none);
+  const auto zero = static_cast<std::size_t>(Mounted::zero);
+  EXPECT_GE(result.mounting.told_by[zero], 12);
+  const double found_N = result.mounting.relative[zero] * median_reading(all_of(data));
+  // 48 zeros determine their standard deviation to some 10 %.
+  EXPECT_NEAR(found_N, deviation_N, 0.3 * deviation_N);
+}
+
+TEST(Channel, ReadsAPartOfAnotherOne) {
+  constexpr double part = 0.08;
+  MeasuredData data = read_data(plant({}, 81).csv);
+  for (Reading& reading : data.readings) {
+    if (reading.tension_N[1] && reading.tension_N[2]) {
+      *reading.tension_N[1] += part * *reading.tension_N[2];
+    }
+  }
+  const DiagnosisResult result = diagnose(data, {}, {});
+  ASSERT_EQ(result.causes.size(), 1U);
+  EXPECT_EQ(result.causes[0].name, "law[offset of T2, T3, linear]");
+  EXPECT_NEAR(result.causes[0].effect.values[0], part, 0.01);
 }
 
 }  // namespace
