@@ -176,14 +176,15 @@ void MechanicsBuilder::apply(const Network& network, Mechanics& mechanics) const
 
 void MechanicsBuilder::apply_tendons(const Network& network, Mechanics& mechanics) const {
   mechanics.slack_mm.clear();
-  mechanics.springs_mm = 0;
+  mechanics.springs_mm.clear();
   for (const TendonHardware& own : hardware_.tendon.own) {
     const TendonSpan* tendon = find_tendon(network, own.tendon);
     if (tendon == nullptr) continue;
     if (const auto end = only_motor_end(network, *tendon); end && own.stiffness_N_mm) {
-      const double spring_mm = *hardware_.tendon.EA_N / *own.stiffness_N_mm;
-      mechanics.length[*end] += spring_mm;
-      mechanics.springs_mm += spring_mm;
+      mechanics.EA_N = *hardware_.tendon.EA_N;
+      mechanics.springs_mm.resize(network.segments.size(), 0.0);
+      mechanics.springs_mm[*end] = mechanics.EA_N / *own.stiffness_N_mm;
+      mechanics.length[*end] += mechanics.springs_mm[*end];
     }
     const auto side = first_motor_side(network, *tendon);
     if (!side || own.slack_mm.value_or(0) == 0) continue;

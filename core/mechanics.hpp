@@ -2,9 +2,9 @@
 //
 // A spring of stiffness k in series gives way as EA/k more of its tendon would, which its
 // motor-side segment gets: a tendon's compliance is Σ t_i L_i / EA + t_end / k, in multiples of 1 /
-// EA. Springs decide how tendons share a carriage, and what sticks; they are as small beside the
-// travel as the tendon's own stretch is (the limit of tension.hpp), so that a stroke does not hold
-// T/k.
+// EA. Springs decide how tendons share a carriage, and what sticks; there they are as small beside
+// the travel as the tendon's own stretch is (the limit of tension.hpp). The stroke of a hand holds
+// their T/k (hand_closing.hpp).
 #pragma once
 
 #include <array>
@@ -28,13 +28,15 @@ struct GuidedTip {
 // Arrays parallel to the network's segments, contacts and fingers.
 struct Mechanics {
   std::vector<double> length;   // segment lengths, mm
-  double springs_mm = 0;        // part of all lengths that stands for springs in series
   std::vector<double> phi;      // friction exponents of the contacts
   std::vector<double> decay;    // e^{-phi}
   std::vector<double> closing;  // closing weights of fingers 1 … n
   // Spools of the segments: travel of a motor-side end over that of its carriage. Empty if all are
   // 1.
   std::vector<double> spools{};
+  // Part of each length that stands for a spring in series, beside EA. Empty without springs.
+  std::vector<double> springs_mm{};
+  double EA_N = 0;
   std::vector<GuidedTip> guided_tips{};  // of the contacts; empty if no finger has guides
   // Slack of tendons in mm, at the first motor-side segment of each, and the carriage travel D that
   // it is a part of. Empty if no tendon has any.

@@ -29,7 +29,10 @@ double cost(const PartCount& count, double tendon_mm, const PartPrices& prices) 
 }
 
 double tendon_length(const Mechanics& mechanics) {
-  return std::accumulate(mechanics.length.begin(), mechanics.length.end(), -mechanics.springs_mm);
+  const auto sum_mm = [](const std::vector<double>& parts_mm) {
+    return std::accumulate(parts_mm.begin(), parts_mm.end(), 0.0);
+  };
+  return sum_mm(mechanics.length) - sum_mm(mechanics.springs_mm);
 }
 
 }  // namespace reeve::core

@@ -149,8 +149,12 @@ void add_motion_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
                      true});
     return;
   }
-  lines.push_back({fmt::format("Stroke {:.4g} mm in {:.4g} s: {:.4g} mm/s", demand.stroke_mm,
-                               hand.motor.close_s, demand.speed_mm_s)});
+  const auto longest = std::ranges::max_element(demand.strokes_mm) - demand.strokes_mm.begin();
+  const double stretch_mm = demand.stretches_mm[static_cast<std::size_t>(longest)];
+  const std::string in_series =
+      stretch_mm > 0 ? fmt::format(", {:.4g} mm of it stretch springs in series", stretch_mm) : "";
+  lines.push_back({fmt::format("Stroke {:.4g} mm in {:.4g} s: {:.4g} mm/s{}", demand.stroke_mm,
+                               hand.motor.close_s, demand.speed_mm_s, in_series)});
   if (demand.closure < 1) {
     lines.push_back(
         {fmt::format("{}: the last finger stands at {} of its range",
