@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/graph.hpp"
+#include "core/error.hpp"
 #include "core/mechanics.hpp"
 #include "core/motor_sides.hpp"
 #include "core/notation.hpp"
@@ -21,6 +21,18 @@ constexpr double default_pull_N = 10;
 // under load should keep its length to some micrometres.
 constexpr const char* quick = "0.004 1";
 constexpr const char* hard = "0.9999 0.9999 0.001";
+
+void require_no_slack(const Hardware& hardware) {
+  for (const TendonHardware& own : hardware.tendon.own) {
+    if (!own.slack_mm) continue;
+    const std::string key = fmt::format("tendon.{}.slack_mm", own.tendon);
+    throw InputError({.where = hardware_place(hardware, key),
+                      .what = key,
+                      .value = fmt::format("{}", *own.slack_mm),
+                      .expected = "none in an export to MuJoCo, whose tendons are always taut",
+                      .form = InputForm::equals});
+  }
+}
 
 bool has_joints(const MjcfRig& rig) {
   return !rig.layout.fingers.empty() && !rig.layout.fingers.front().joints.empty();
@@ -148,14 +160,11 @@ void write_motors(double pull_N, int motors, MjcfText& out) {
 }  // namespace
 
 std::string mjcf(const Routing& routing, const Hardware& hardware, const MjcfOrigin& origin) {
-  // All ends at a motor move with the body of its carriage.
-  require_no_spools(hardware, "none in an export to MuJoCo");
-  require_no_springs(hardware, "none in an export to MuJoCo");
+  require_no_slack(hardware);
   const MechanicsBuilder mechanics(hardware);
   Network network = expand(routing);
-  require_single_tendons(network, routing, "the export");
   RopePlan plan = rope_plan(routing, network);
-  RigLayout layout = rig_layout(network, hardware);
+  RigLayout layout = rig_layout(network, hardware, plan);
   const MjcfRig rig{std::move(network), std::move(plan), std::move(layout)};
   const std::string word = to_word(routing);
   MjcfText out;

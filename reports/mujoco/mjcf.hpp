@@ -5,6 +5,8 @@
 //               runner's travel to Σ r_j q_j, the tendon that joints with constant arms r_j give
 //               up. Without joints the runner alone, on a spring.
 //   carriage    a slider that the actuator `motor` pulls
+//   end         at a motor, on a spool of its own or behind a spring in series: a slider that moves
+//               at the spool's ratio, or that the spring joins to the spool
 //   block       a slider; a bar's arms are two more, held to its pivot's travel by
 //               z = (l u + r v)/(l + r), so that their tensions stand in the ratio l : r
 //   tendon      a spatial tendon over sites for each rope (rope_plan.hpp), its length held by an

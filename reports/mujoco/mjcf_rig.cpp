@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/mechanics.hpp"
@@ -58,12 +59,20 @@ std::vector<RigFinger> rig_fingers(const Network& network, const Hardware& hardw
   return fingers;
 }
 
+// No block travels further for each millimetre that fingers close, and no extensor is let out
+// further. It serves where fingers have second tendons, which may jam with all carriages alike.
+constexpr double ample_travel = 2;
+
+double closing_together(const TensionState& state) {
+  return std::accumulate(state.closing.begin(), state.closing.end(), 0.0);
+}
+
 // Returns the travel of each block for each millimetre that fingers close.
 std::vector<double> travel_per_closing(const Network& network, const Mechanics& mechanics) {
-  std::vector<double> greatest(network.blocks.size(), 0);
+  std::vector<double> greatest(network.blocks.size(), network.shared ? ample_travel : 0);
   for (const WeightedGrasp& grasp : single_grasps(network.fingers)) {
     const TensionState state = tensions(network, mechanics, grasp.grasp);
-    const double closing = std::accumulate(state.closing.begin(), state.closing.end(), 0.0);
+    const double closing = closing_together(state);
     if (!(closing > 0)) continue;
     for (std::size_t b = 0; b < greatest.size(); ++b) {
       greatest[b] = std::max(greatest[b], std::abs(state.block_travel[b]) / closing);
@@ -72,28 +81,58 @@ std::vector<double> travel_per_closing(const Network& network, const Mechanics& 
   return greatest;
 }
 
-// The lane of a leg among those of its mover, or of all carriages, from 0.
+// A spool that is wound the other way lets its end out while the fingers close.
+double let_out_per_closing(const Network& network, const Mechanics& mechanics) {
+  if (network.shared) return ample_travel;
+  double least = 0;
+  for (const double ratio : mechanics.spools) least = std::min(least, ratio);
+  if (least == 0) return 0;
+  const double closing = closing_together(tensions(network, mechanics, Grasp{}));
+  return closing > 0 ? -least / closing : 0;
+}
+
+// Legs have lanes of their own among those of one finger or block, or of all motors.
+std::pair<Mover, std::size_t> place_of(const Leg& leg) {
+  if (leg.mover == Mover::runner) return {leg.mover, leg.owner};
+  return leg.mover < Mover::block ? std::pair{Mover::carriage, std::size_t{0}}
+                                  : std::pair{Mover::block, leg.owner};
+}
+
+// The lane of a leg, from 0.
 std::size_t lane_of(const RopePlan& plan, std::size_t leg) {
   std::size_t lane = 0;
   for (std::size_t k = 0; k < leg; ++k) {
-    const bool on_block = plan.legs[leg].mover >= Mover::block;
-    if ((on_block ? plan.legs[k].mover >= Mover::block
-                  : plan.legs[k].mover == plan.legs[leg].mover) &&
-        (plan.legs[leg].mover == Mover::carriage || plan.legs[k].owner == plan.legs[leg].owner)) {
-      ++lane;
-    }
+    if (place_of(plan.legs[k]) == place_of(plan.legs[leg])) ++lane;
   }
   return lane;
 }
 
+std::vector<RigEnd> ends_apart(const Network& network, const Mechanics& mechanics, RopePlan& plan) {
+  std::vector<RigEnd> ends;
+  for (std::size_t k = 0; k < plan.legs.size(); ++k) {
+    if (plan.legs[k].mover != Mover::carriage) continue;
+    const auto segment = find_segment(network, *segment_named(plan.legs[k].name));
+    RigEnd end{k, mechanics.spool(*segment), {}};
+    if (!mechanics.springs_mm.empty() && mechanics.springs_mm[*segment] > 0) {
+      end.spring_N_m = mechanics.EA_N / mechanics.springs_mm[*segment] / m_per_mm;
+    }
+    if (end.ratio == 1 && !end.spring_N_m) continue;
+    plan.legs[k].mover = Mover::own_end;
+    ends.push_back(end);
+  }
+  return ends;
+}
+
 }  // namespace
 
-RigLayout rig_layout(const Network& network, const Hardware& hardware) {
+RigLayout rig_layout(const Network& network, const Hardware& hardware, RopePlan& plan) {
   const Mechanics numbers = mechanics(network, hardware);
   RigLayout layout;
+  layout.ends = ends_apart(network, numbers, plan);
   layout.fingers = rig_fingers(network, hardware, numbers);
   double all_closing_m = 0;
   for (const RigFinger& finger : layout.fingers) all_closing_m += finger.closing_m;
+  layout.let_out_m = let_out_per_closing(network, numbers) * all_closing_m;
   double y_m = finger_pitch_m * network.fingers;
   for (const double travel : travel_per_closing(network, numbers)) {
     layout.blocks.push_back({travel * all_closing_m + margin_m, y_m});
@@ -109,7 +148,7 @@ RigPlace mover_place(const RigLayout& layout, const RopePlan& plan, std::size_t 
     const RigFinger& finger = layout.fingers[what.owner - 1];
     return {finger.reach_m, finger.y_m + (lane - 0.5) * strand_gap_m};
   }
-  if (what.mover == Mover::carriage) return {carriage_x_m, lane * lane_pitch_m};
+  if (what.mover < Mover::block) return {carriage_x_m, lane * lane_pitch_m};
   const RigBlock& block = layout.blocks[what.owner];
   return {carriage_x_m / 2, block.y_m + lane * strand_gap_m};
 }
@@ -118,9 +157,10 @@ RigPlace eyelet_place(const RigLayout& layout, const RopePlan& plan, std::size_t
   const Leg& what = plan.legs[leg];
   RigPlace place = mover_place(layout, plan, leg);
   if (what.mover == Mover::runner) {
-    place.x_m = 0;
-  } else if (what.mover == Mover::carriage) {
-    place.x_m += margin_m;
+    const RigFinger& finger = layout.fingers[what.owner - 1];
+    place.x_m = what.is_tail ? finger.reach_m + finger.closing_m + margin_m : 0;
+  } else if (what.mover < Mover::block) {
+    place.x_m += margin_m + layout.let_out_m;
   } else {
     const double reach = layout.blocks[what.owner].reach_m;
     place.x_m += what.is_tail ? -reach : reach;
@@ -162,6 +202,8 @@ std::string mover_name(const MjcfRig& rig, const Leg& leg) {
       return runner_name(leg.owner - 1);
     case Mover::carriage:
       return carriage_name(leg.owner);
+    case Mover::own_end:
+      return "end_" + leg.name;
     case Mover::block:
       return block_name(rig.network.blocks[leg.owner]);
     case Mover::left_arm:

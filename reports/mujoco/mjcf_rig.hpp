@@ -4,6 +4,7 @@
 #include <tinyxml2.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,9 +37,18 @@ struct RigBlock {
   double y_m = 0;
 };
 
+// An end at a motor that does not move as its carriage does.
+struct RigEnd {
+  std::size_t leg = 0;
+  double ratio = 1;                    // of its spool
+  std::optional<double> spring_N_m{};  // in series
+};
+
 struct RigLayout {
   std::vector<RigFinger> fingers;  // 1 … n, at their numbers less 1
   std::vector<RigBlock> blocks;
+  std::vector<RigEnd> ends;
+  double let_out_m = 0;  // greatest length that an end at a motor lets out
 };
 
 struct RigPlace {
@@ -48,8 +58,9 @@ struct RigPlace {
 
 inline constexpr double carriage_x_m = -0.15;
 
-// Throws OutOfRange where the kinematics leaves blocks undetermined, InputError of bad hardware.
-RigLayout rig_layout(const Network& network, const Hardware& hardware);
+// Sets the legs of ends on their own spools or springs in the plan. Throws OutOfRange where the
+// kinematics leaves blocks undetermined, InputError of bad hardware.
+RigLayout rig_layout(const Network& network, const Hardware& hardware, RopePlan& plan);
 
 // In the world, with the hand open.
 RigPlace mover_place(const RigLayout& layout, const RopePlan& plan, std::size_t leg);

@@ -10,8 +10,11 @@ struct JointTerm {
   double factor = 1;
 };
 
-void write_sum(const std::string& name, const std::vector<JointTerm>& terms, MjcfText& out) {
-  out.open("fixed", {{"name", name}});
+void write_sum(const std::string& name, const std::vector<JointTerm>& terms, MjcfText& out,
+               const MjcfText::Attributes& spring = {}) {
+  MjcfText::Attributes attributes{{"name", name}};
+  attributes.insert(attributes.end(), spring.begin(), spring.end());
+  out.open("fixed", attributes);
   for (const JointTerm& term : terms) {
     out.leaf("joint", {{"joint", term.joint}, {"coef", MjcfText::number(term.factor)}});
   }
@@ -39,6 +42,23 @@ void write_bar_sums(const core::Block& block, MjcfText& out) {
             {{name + "_left", block.arms.left / both}, {name + "_right", block.arms.right / both}},
             out);
   write_sum(travel_name(name), {{name}}, out);
+}
+
+// A spring is as long as its end lags behind the spool.
+void write_spring(const MjcfRig& rig, const RigEnd& end, MjcfText& out) {
+  if (!end.spring_N_m) return;
+  const Leg& leg = rig.plan.legs[end.leg];
+  write_sum("spring_" + leg.name, {{mover_name(rig, leg)}, {carriage_name(leg.owner), -end.ratio}},
+            out, {{"stiffness", MjcfText::number(*end.spring_N_m)}});
+}
+
+void write_spool(const MjcfRig& rig, const RigEnd& end, MjcfText& out) {
+  if (end.spring_N_m) return;
+  const Leg& leg = rig.plan.legs[end.leg];
+  out.leaf("joint", {{"name", "spool_" + leg.name},
+                     {"joint1", mover_name(rig, leg)},
+                     {"joint2", carriage_name(leg.owner)},
+                     {"polycoef", "0 " + MjcfText::number(end.ratio) + " 0 0 0"}});
 }
 
 void write_same(const std::string& mover, const std::string& sum, MjcfText& out) {
@@ -72,6 +92,7 @@ void write_tendons(const MjcfRig& rig, MjcfText& out) {
     }
     out.close();
   }
+  for (const RigEnd& end : rig.layout.ends) write_spring(rig, end, out);
   for (std::size_t f = 0; f < rig.layout.fingers.size(); ++f) write_finger_sums(rig, f, out);
   for (const core::Block& block : rig.network.blocks) {
     if (block.is_bar) write_bar_sums(block, out);
@@ -84,6 +105,7 @@ void write_equalities(const MjcfRig& rig, MjcfText& out) {
   for (std::size_t r = 0; r < rig.plan.ropes.size(); ++r) {
     out.leaf("tendon", {{"name", rope_name(r)}, {"tendon1", rope_name(r)}});
   }
+  for (const RigEnd& end : rig.layout.ends) write_spool(rig, end, out);
   for (std::size_t f = 0; f < rig.layout.fingers.size(); ++f) write_finger_equalities(rig, f, out);
   for (const core::Block& block : rig.network.blocks) {
     if (block.is_bar) write_same(block_name(block), arms_name(block), out);

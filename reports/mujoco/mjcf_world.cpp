@@ -29,6 +29,9 @@ class WorldWriter {
     for (int motor = 1; motor <= std::max(1, carriage_count(rig_.network)); ++motor) {
       slider(carriage_name(static_cast<std::size_t>(motor)), {carriage_x_m, 0}, {}, carriage_kg);
     }
+    for (const RigEnd& end : rig_.layout.ends) {
+      slider(mover_name(rig_, rig_.plan.legs[end.leg]), {carriage_x_m, 0}, {}, part_kg);
+    }
     for (std::size_t b = 0; b < rig_.network.blocks.size(); ++b) block(b);
     out_.close();
   }

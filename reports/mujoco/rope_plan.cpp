@@ -15,7 +15,7 @@ class RopePlanner {
   explicit RopePlanner(const Network& network) : network_(network) {}
 
   void add(const Tendon& tendon, const TendonSpan& span) {
-    std::vector<Rope> pieces = led(tendon);
+    std::vector<Rope> pieces = led(tendon, span);
     share_segments(span, pieces);
     if (tendon.closed) close(pieces);
     std::move(pieces.begin(), pieces.end(), std::back_inserter(plan_.ropes));
@@ -24,12 +24,14 @@ class RopePlanner {
   RopePlan take() { return std::move(plan_); }
 
  private:
-  std::vector<Rope> led(const Tendon& tendon) {
+  std::vector<Rope> led(const Tendon& tendon, const TendonSpan& span) {
     std::vector<Rope> pieces(1);
     for (std::size_t k = 0; k < tendon.walk.size(); ++k) {
       const Token& token = tendon.walk[k];
       if (is_end(token.kind)) {
-        add_end(token, k == 0, pieces.back());
+        const std::size_t last = span.first_segment + span.segments - 1;
+        add_end(token, network_.segments[k == 0 ? span.first_segment : last], k == 0,
+                pieces.back());
       } else {
         add_inside(token, pieces);
       }
@@ -37,13 +39,13 @@ class RopePlanner {
     return pieces;
   }
 
-  void add_end(const Token& token, bool is_first, Rope& rope) {
+  void add_end(const Token& token, const Segment& segment, bool is_first, Rope& rope) {
     if (token.kind == TokenKind::fixed_end) {
       rope.points.push_back(fixed());
     } else if (is_first) {
-      leave(leg_of_end(token), rope);
+      leave(leg_of_end(token, segment), rope);
     } else {
-      reach(leg_of_end(token), rope);
+      reach(leg_of_end(token, segment), rope);
     }
   }
 
@@ -58,21 +60,23 @@ class RopePlanner {
     leave(is_bar ? block_leg(token, Mover::right_arm) : leg_inside(token, 2), pieces.back());
   }
 
-  std::size_t leg_of_end(const Token& token) {
+  std::size_t leg_of_end(const Token& token, const Segment& segment) {
     if (token.kind == TokenKind::motor_end) return carriage_leg(token);
-    if (token.kind == TokenKind::anchored_tip) return strand_leg(token.finger, 1);
+    if (token.kind == TokenKind::anchored_tip) return strand_leg(segment);
     return block_leg(token, Mover::block);
   }
 
   std::size_t leg_inside(const Token& token, int side) {
-    if (token.kind == TokenKind::finger) return strand_leg(token.finger, side);
+    if (token.kind == TokenKind::finger) {
+      return strand_leg({SegmentKind::strand, 2 * token.finger - 2 + side, token.finger});
+    }
     if (token.kind == TokenKind::movable_pulley) return carriage_leg(token);
     return block_leg(token, Mover::block);
   }
 
-  std::size_t strand_leg(int finger, int side) {
-    const Segment strand{SegmentKind::strand, 2 * finger - 2 + side, finger};
-    return added({Mover::runner, static_cast<std::size_t>(finger), segment_name(strand)});
+  std::size_t strand_leg(const Segment& strand) {
+    return added({Mover::runner, static_cast<std::size_t>(strand.finger), segment_name(strand),
+                  strand.extensor});
   }
 
   std::size_t carriage_leg(const Token& token) {

@@ -4,8 +4,9 @@
 // straight stretches between an eyelet that is fixed at the hand and a point on something that
 // moves, all parallel to the way of what moves, so that a leg is as much longer or shorter as that
 // has moved:
-//   strand               to the runner of its finger, which gives up what the finger closes
-//   motor-side segment   to the carriage
+//   strand               to the runner of its finger, which gives up what the finger closes; an
+//                        extensor's on the other side
+//   motor-side segment   to the carriage, or to an end of its own, on a spool or behind a spring
 //   pass, becket, arm    to the block, on the side from which it goes away as it moves to its tails
 //   tail                 to the block, on the other side
 // Between its legs a rope runs from eyelet to eyelet at constant length.
@@ -21,13 +22,13 @@
 
 namespace reeve::reports {
 
-enum class Mover : std::uint8_t { runner, carriage, block, left_arm, right_arm };
+enum class Mover : std::uint8_t { runner, carriage, own_end, block, left_arm, right_arm };
 
 struct Leg {
   Mover mover = Mover::runner;
   std::size_t owner = 0;  // finger or motor from 1; index of the block
   std::string name;       // T1, a, Y1_1
-  bool is_tail = false;
+  bool is_tail = false;   // as an extensor's, longer as its owner moves
 };
 
 enum class PointKind : std::uint8_t {

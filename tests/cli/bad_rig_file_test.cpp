@@ -37,8 +37,9 @@ TEST(BadHardware, IsNamedWithFileLineAndColumn) {
       {"explore --out out --hardware spool.toml",
        "spool.toml:1:2: hardware: spools 'b': expected none: a spool belongs to an end of one "
        "routing"},
-      {"export TR2 --hardware spool.toml",
-       "spool.toml:1:2: hardware: spools 'b': expected none in an export to MuJoCo"},
+      {"export TR2 --hardware slack.toml",
+       "slack.toml:4:1: hardware: tendon.1.slack_mm = 5: expected none in an export to MuJoCo, "
+       "whose tendons are always taut"},
       {"explore --out out --hardware negative.toml", "negative.toml:2:6: tube.mu = -0.1"},
       {"rank TR1 --hardware nan.toml", "nan.toml:2:6: tube.mu = nan"},
   });

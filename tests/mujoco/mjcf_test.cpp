@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string>
 
 #include "core/hand_closing.hpp"
 #include "core/motor_sides.hpp"
@@ -69,6 +70,102 @@ TEST(Mjcf, AtRestTheTensionsAreThoseWithoutFriction) {
       expect_the_same_tensions(routing_of(word), {}, grasp);
     }
   }
+}
+
+TEST(Mjcf, EndsOnSpoolsPullTheirMotorByTheirRatios) {
+  for (const double ratio : {0.5, 2.0, -0.5}) {
+    SCOPED_TRACE(ratio);
+    Hardware hardware;
+    hardware.spools = {{"b", ratio}};
+    for (const char* word : {"M-1-M", "M-1-T-2-M", "M-Y1+1x-Y1-2-M"}) {
+      SCOPED_TRACE(word);
+      expect_the_same_tensions(routing_of(word), hardware, {});
+    }
+  }
+}
+
+// The finger stands at its stop, and the carriage T/k beyond.
+TEST(Mjcf, TheCarriageTravelsTheStretchOfASpring) {
+  Hardware hardware = hand_of({simple_finger(9, 70, 60, 4)});
+  hardware.tendon = {20000, {}, {{1, 8, {}}}};
+  hardware.motor.force_N = 40;
+  SimulatedRig rig(mjcf(parse_routing("M-1-F"), hardware));
+  rig.pull(40, 4);
+  EXPECT_EQ(rig.warnings(), 0);
+  EXPECT_NEAR(rig.tensions().at("a"), 40, 0.04);
+  const double closed_mm = 2 * 9 * 70 * std::numbers::pi / 180;
+  EXPECT_NEAR(rig.position("carriage") * 1000, closed_mm + 40.0 / 8, 0.1);
+}
+
+// One spring is on a spool of half the radius, which stretches it half as much.
+TEST(Mjcf, SpringsShareTheCarriageByTheirStiffness) {
+  Hardware hardware;
+  hardware.tendon = {20000, {}, {{1, 2, {}}, {2, 6, {}}}};
+  hardware.spools = {{"b", 0.5}};
+  SimulatedRig rig(mjcf(parse_routing("1x-M+2x-M"), hardware));
+  rig.activate("hold_1");
+  rig.activate("hold_2");
+  rig.pull(7, 4);
+  EXPECT_EQ(rig.warnings(), 0);
+  const double travel_mm = 7 / (2 + 0.5 * 0.5 * 6);
+  EXPECT_NEAR(rig.position("carriage") * 1000, travel_mm, 0.01);
+  EXPECT_NEAR(rig.tensions().at("a"), 2 * travel_mm, 1e-2);
+  EXPECT_NEAR(rig.tensions().at("b"), 6 * travel_mm / 2, 1e-2);
+}
+
+// Without joints the finger's spring has 500 N/m.
+TEST(Mjcf, SecondTendonsPullTheirFingerTogetherOrAgainstEachOther) {
+  SimulatedRig flexors(mjcf(parse_routing("M-1x+M2-1x"), {}));
+  flexors.pull({10, 4});
+  EXPECT_NEAR(flexors.position("runner_1"), 14 / 500.0, 1e-5);
+  EXPECT_NEAR(flexors.tensions().at("T1"), 10, 1e-2);
+  EXPECT_NEAR(flexors.tensions().at("T2"), 4, 1e-2);
+  SimulatedRig antagonists(mjcf(parse_routing("M-1x+M2-1e"), {}));
+  antagonists.pull({10, 4});
+  EXPECT_NEAR(antagonists.position("runner_1"), 6 / 500.0, 1e-5);
+  EXPECT_NEAR(antagonists.position("carriage"), 6 / 500.0, 1e-5);
+  EXPECT_NEAR(antagonists.position("carriage_2"), -6 / 500.0, 1e-5);
+  EXPECT_NEAR(antagonists.tensions().at("T2"), 4, 1e-2);
+  EXPECT_EQ(flexors.warnings() + antagonists.warnings(), 0);
+}
+
+TEST(Mjcf, AMotorLetsAnExtensorOutAsFarAsItsFingerCloses) {
+  const Hardware hardware = hand_of({simple_finger(25, 90, 60, 4)});
+  SimulatedRig rig(mjcf(parse_routing("M-1x+M2-1e"), hardware));
+  rig.pull({10, 1}, 4);
+  EXPECT_EQ(rig.warnings(), 0);
+  const double closed_m = 0.025 * std::numbers::pi / 2;
+  EXPECT_NEAR(rig.position("carriage"), closed_m, 1e-4);
+  EXPECT_NEAR(rig.position("carriage_2"), -closed_m, 1e-4);
+  EXPECT_NEAR(rig.tensions().at("T1"), 10, 1e-2);
+  EXPECT_NEAR(rig.tensions().at("T2"), 1, 1e-2);
+}
+
+// The extensors are let out, and the flexors pull as they do alone.
+TEST(Mjcf, ExtensorsThatFollowAreSlack) {
+  for (const char* word : {"1x-P-2x+M2-1e+M2-2e", "M-Y1+1x-Y1-2x+M2-1e+M2-2e"}) {
+    SCOPED_TRACE(word);
+    SimulatedRig rig(mjcf(parse_routing(word), {}));
+    rig.pull({10, 0}, 4);
+    EXPECT_EQ(rig.warnings(), 0);
+    const Network network = expand(parse_routing(word));
+    Grasp grasp;
+    grasp.carriages = {2, {1, -1}};
+    const TensionState state = tensions(network, mechanics(network, without_friction({})), grasp);
+    const auto simulated = rig.tensions();
+    for (std::size_t k = 0; k < network.segments.size(); ++k) {
+      EXPECT_NEAR(simulated.at(segment_name(network.segments[k])), 10 * state.tension[k], 0.02)
+          << segment_name(network.segments[k]);
+    }
+  }
+}
+
+TEST(Mjcf, RefusesSlack) {
+  Hardware hardware;
+  hardware.tendon = {{}, 40, {{1, {}, 5}}};
+  EXPECT_EQ(testing::input_error([&] { mjcf(parse_routing("M-1-F"), hardware); }),
+            "hardware: tendon.1.slack_mm = 5: expected none in an export to MuJoCo, whose tendons "
+            "are always taut");
 }
 
 TEST(Mjcf, MechanismsInPrintOfOneTree) {

@@ -43,7 +43,11 @@ void SimulatedRig::activate(const std::string& name) {
 }
 
 void SimulatedRig::pull(double force_N, double seconds) {
-  for (int motor = 0; motor < model_->nu; ++motor) data_->ctrl[motor] = force_N;
+  pull(std::vector<double>(static_cast<std::size_t>(model_->nu), force_N), seconds);
+}
+
+void SimulatedRig::pull(const std::vector<double>& forces_N, double seconds) {
+  std::copy(forces_N.begin(), forces_N.end(), data_->ctrl);
   const double end = data_->time + seconds;
   while (data_->time < end) mj_step(model_.get(), data_.get());
 }

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace reeve::testing {
 
@@ -17,6 +18,7 @@ class SimulatedRig {
   // Every constraint of this name or that begins with it and an underscore.
   void activate(const std::string& name);
   void pull(double force_N, double seconds = 2);
+  void pull(const std::vector<double>& forces_N, double seconds = 2);  // of each motor
 
   // Of the tendon's equality constraint, N, by the segments that the file says lie on it.
   std::map<std::string, double> tensions() const;
