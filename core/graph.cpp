@@ -39,16 +39,6 @@ const Segment* second_tendon(const Network& network) {
   return found == network.segments.end() ? nullptr : &*found;
 }
 
-void require_single_tendons(const Network& network, const Routing& routing, const char* study) {
-  const Segment* const second = second_tendon(network);
-  if (second == nullptr) return;
-  throw InputError(
-      {.where = fmt::format("routing '{}'", to_word(routing)),
-       .what = fmt::format("finger {} has {}, which {} does not know", second->finger,
-                           second->extensor ? "an extensor" : "a second flexor", study),
-       .expected = "one flexor tendon on each finger"});
-}
-
 namespace {
 
 const char* shape(SegmentKind kind) {

@@ -14,8 +14,6 @@ void require_actuated(const Network& network, const std::string& word);
 
 // The first strand that is an extensor or a second flexor; nullptr if there is none.
 const Segment* second_tendon(const Network& network);
-// Names its finger in an InputError: `study` knows one flexor tendon on each.
-void require_single_tendons(const Network& network, const Routing& routing, const char* study);
 
 // The network in the language of Graphviz; with a state also tensions and sliding directions.
 std::string to_dot(const Network& network, const std::string& title,

@@ -6,9 +6,9 @@
 
 #include "causes/model_solver.hpp"
 #include "core/error.hpp"
-#include "core/graph.hpp"
 #include "core/network.hpp"
 #include "core/notation.hpp"
+#include "core/performance.hpp"
 #include "numerics/robust.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "search/uncertainty/coefficient_box.hpp"
@@ -43,7 +43,6 @@ GoalEvaluator::GoalEvaluator(const Routing& routing, Goal goal, GraspSet grasps,
     weights_[static_cast<Index>(g)] = grasps_[g].weight;
   }
   weights_ /= weights_.sum();
-  require_single_tendons(network_, routing_, "sizing");
 }
 
 double GoalEvaluator::value(const Model& model) const {
@@ -64,9 +63,9 @@ Eigen::MatrixXd GoalEvaluator::shares_by_grasp(const Model& model) const {
     const TensionState& state =
         require_in_range(solver.solve(grasp, Direction::pull, model.conditions), grasp);
     auto row = shares.row(static_cast<Index>(g));
-    for (std::size_t i = 0; i < network_.segments.size(); ++i) {
-      const Segment& segment = network_.segments[i];
-      if (segment.kind == SegmentKind::strand) row[segment.finger - 1] += state.tension[i];
+    const FingerArray pulls = pulls_by_finger(network_, state);
+    for (int f = 0; f < network_.fingers; ++f) {
+      row[f] = std::abs(pulls[static_cast<std::size_t>(f) + 1]);
     }
     const double sum = row.sum();
     if (sum > 0) row /= sum;

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/canonical.hpp"
-#include "core/graph.hpp"
 #include "core/performance.hpp"
 #include "core/tension/jamming.hpp"
 #include "tests/core/network_of.hpp"
@@ -223,18 +222,6 @@ TEST(SecondTendons, HaveOneCanonicalWord) {
     return to_word(canonical(parse_routing(word), FingerIdentity::distinct));
   };
   EXPECT_EQ(distinct("M2-2e+2x-P-1x"), "1x-P-2x+M2-2e");
-}
-
-TEST(SecondTendons, AreNamedWhereAStudyDoesNotKnowThem) {
-  const auto said = [](const std::string& word) {
-    return testing::input_error(
-        [&] { require_single_tendons(network_of(word), parse_routing(word), "the export"); });
-  };
-  EXPECT_EQ(said("M-2x+M-1x+M-2x"),
-            "routing 'M-2x+M-1x+M-2x': finger 2 has a second flexor, which the export does not "
-            "know: expected one flexor tendon on each finger");
-  EXPECT_NE(said("M-1x+M2-1e").find("finger 1 has an extensor"), std::string::npos);
-  EXPECT_NO_THROW(require_single_tendons(network_of("M-1-P-2-F+M-3x"), {}, ""));
 }
 
 TEST(SecondTendons, CountTheirJamsWithAllCarriagesAlike) {

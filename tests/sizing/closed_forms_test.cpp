@@ -90,6 +90,24 @@ TEST(TargetShares, OfASymmetricRoutingGiveSymmetricAngles) {
   EXPECT_NEAR(std::abs(design.flat[0].moves.at(0)), 0.9, 1e-9);
 }
 
+// The extensors follow without tension, and each flexor has the e^{-mu theta} of its own sheath.
+TEST(TargetShares, LeaveOutExtensorsThatFollow) {
+  SizingOptions options = aiming("1=0.7,2=0.3", {"sheath_angle[1]=1..12"});
+  options.nominal.hardware.bearing.mu = 0;
+  options.target_grasps = options.grasps = parse_grasps("none@1,-1", 2, 2);
+  const SizedDesign design = sized("1x-P-2x+M2-1e+M2-2e", options);
+  ASSERT_TRUE(is_met(design));
+  EXPECT_NEAR(values_of(design).at(0), 2 * std::numbers::pi - std::log(0.7 / 0.3) / mu, 1e-6);
+}
+
+TEST(Sizing, OfTwoFlexorsOnAFingerMindsBothSheaths) {
+  SizingOptions options = sizing("efficiency", {"sheath_angle[1]=3..9"}, 1);
+  options.grasps = parse_grasps("none", 1);
+  const SizedDesign design = sized("M-1x+M2-1x", options);
+  EXPECT_EQ(values_of(design).at(0), 3);
+  EXPECT_NEAR(design.after.goal, std::exp(-mu * 3), 1e-9);
+}
+
 TEST(TargetShares, OfAThumbThatPullsAsTwoFingers) {
   const SizedDesign design =
       sized("M-1-P-2-P-3-M", aiming("1=2,others=1", {"sheath_angle=1..12"}, 3));
