@@ -9,6 +9,11 @@
 namespace reeve::diagnosis {
 namespace {
 
+bool says_when(const causes::Covariate& covariate) {
+  return covariate.kind == causes::CovariateKind::column &&
+         (covariate.column == "order" || covariate.column == "run");
+}
+
 // Each coefficient gains what the model would lose with the hardware's value in its place.
 double cost_of_coefficients(const SearchedModel& search, const Model& model) {
   const Problem& problem = search.now.likelihood.problem;
@@ -55,10 +60,26 @@ bool is_a_law_of_its_name(const SearchedModel& search, const Scored& way, const 
 
 // The place in the file and the number of the run both say when a reading was taken.
 std::string follows(const causes::Covariate& covariate) {
-  const std::string name = covariate_name(covariate);
-  const bool is_place = covariate.kind == causes::CovariateKind::column &&
-                        (covariate.column == "order" || covariate.column == "run");
-  return is_place ? "when" : name;
+  return says_when(covariate) ? "when" : covariate_name(covariate);
+}
+
+// What was recorded says something of other files, and when a reading was taken does not: a law of
+// the one that is hardly less likely takes the place of a law of the other. Returns its evidence.
+double take_recorded(SearchedModel& search, const std::vector<Scored>& ways, std::size_t c,
+                     double evidence) {
+  const Term* own = term_of(*search.accepted[c].effect.cause);
+  if (own == nullptr || !says_when(own->x)) return evidence;
+  for (const Scored& way : ways) {
+    if (!(evidence - way.evidence < least_evidence)) break;
+    const Term* other = term_of(*way.term.effect.cause);
+    const bool acts_alike =
+        other != nullptr && other->target == own->target && other->site == own->site;
+    if (!acts_alike || other->form == Form::constant || says_when(other->x)) continue;
+    search.accepted[c] = way.term;
+    search.settle(way.model);
+    return search.now.evidence - cost_of_coefficients(search, search.now.model);
+  }
+  return evidence;
 }
 
 // Charges the ways that could be as likely as the accepted term, and puts the likeliest first.
@@ -119,7 +140,7 @@ void defend(SearchedModel& search, const Vocabulary& words, std::size_t c) {
     evidence = ways.front().evidence;
     search.settle(ways.front().model);
   }
-  evidence = take_simplest(search, ways, c, evidence);
+  evidence = take_recorded(search, ways, c, take_simplest(search, ways, c, evidence));
   AcceptedTerm& accepted = search.accepted[c];
   accepted.alternatives.clear();
   double odds = 1;
