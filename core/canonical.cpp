@@ -206,6 +206,16 @@ std::strong_ordering compare(const Walk& walk, Image a, Image b) {
   return std::strong_ordering::equal;
 }
 
+// Returns how many first tokens hold all that a comparison of shapes with this image looks at.
+std::size_t compared_tokens(const Walk& walk, Image image) {
+  std::size_t tokens = 0;
+  for (std::size_t i = 0; i < walk.size(); ++i) {
+    tokens = std::max({tokens, i + 1, image_index(walk, image, i) + 1});
+    if (compare_shapes(walk[i], image_token(walk, image, i)) != 0) break;
+  }
+  return tokens;
+}
+
 bool moves_a_finger(const Walk& walk, Image image) {
   for (std::size_t i = 0; i < walk.size(); ++i) {
     if (is_of_finger(walk[i].kind) && image_index(walk, image, i) != i) return true;
@@ -298,13 +308,15 @@ void append(Tree tree, Routing& routing) {
 
 }  // namespace
 
-bool is_canonical(const Tendon& tendon) {
-  bool least = true;
+bool is_canonical(const Tendon& tendon) { return uncanonical_tokens(tendon) == 0; }
+
+std::size_t uncanonical_tokens(const Tendon& tendon) {
+  std::size_t tokens = 0;
   for_each_image(tendon, [&](Image image) {
-    least = compare(tendon.walk, image, as_it_stands) >= 0;
-    return least;
+    if (compare(tendon.walk, image, as_it_stands) < 0) tokens = compared_tokens(tendon.walk, image);
+    return tokens == 0;
   });
-  return least;
+  return tokens;
 }
 
 int symmetries(const Tendon& tendon) {

@@ -12,6 +12,7 @@
 // that blocks tie together are one tree and stay side by side, in the order of canonical_tree.hpp.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "core/routing.hpp"
@@ -26,6 +27,10 @@ enum class FingerIdentity {
 // True if no other way to walk this tendon (backwards, or from another finger of a loop) comes
 // earlier in the order of shapes and then of finger numbers.
 bool is_canonical(const Tendon& tendon);
+
+// Returns a number of first tokens with which no tendon is canonical that has as many in all.
+// Returns 0 if this one is.
+std::size_t uncanonical_tokens(const Tendon& tendon);
 
 // Size of the group of finger permutations that leave this tendon's shape as it is: 1, or 2 for a
 // palindrome, on a loop up to twice its number of fingers.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -118,11 +119,23 @@ class ReferenceTally {
   std::vector<Goodness> goodness_;  // one for each reference
 };
 
+// Returns the parts without tips and joins at the hand that have more friction than others.
+PartSet of_least_friction(PartSet parts, const Hardware& hardware) {
+  const bool tubes_slide_worse = hardware.tube.exponent() > hardware.bearing.exponent();
+  const TipKind tip = tubes_slide_worse ? TipKind::tube : TipKind::bearing;
+  const TokenKind join = tubes_slide_worse ? TokenKind::tube_join : TokenKind::bearing_join;
+  if (parts.tips.size() > 1) std::erase(parts.tips, tip);
+  if (parts.joins.size() > 1) std::erase(parts.joins, join);
+  return parts;
+}
+
 // Batches are large enough that threads rarely wait for the slowest one. They are small enough for
 // a cache, for Ctrl-C, and to lose little on an interrupt. A grain takes some tenths of a
 // millisecond.
 constexpr std::size_t batch_size = 2048;
 constexpr std::size_t grain = 64;
+// It is worth some tenths of a second to know beforehand what will be left out.
+constexpr std::uint64_t long_search = 1'000'000;
 
 // A routing of a batch and its evaluation.
 struct BatchSlot {
@@ -177,15 +190,15 @@ class Exploration {
                                    range_.end - range_.begin));
     }
     part_.total = range_.end - range_.begin;
-    if (parts_decide_ && !checkpoint.design && (options.constraints.empty() || !tells_reaches_)) {
-      leave_out_unwanted();
-    }
+    leaves_out_unwanted_ = parts_decide_ && !checkpoint.design &&
+                           (options.constraints.empty() || !tells_reaches_) && leave_out_unwanted();
     generated_ = part_.generated;
     seconds_before_ = part_.seconds;
   }
 
   ExplorationPart run(const Supervision& supervision) {
     stop_ = supervision.stop;
+    if (leaves_out_unwanted_ && part_.total > long_search) foresee();
     const std::uint64_t before = generated_;
     bool stopped = !find_beginning();
     if (!stopped) fill(next_);
@@ -199,6 +212,7 @@ class Exploration {
       if (checkpoint_.save && !stopped && checkpoint_.is_due()) save();
     }
     source_.stop_with(nullptr);
+    if (generated_ < part_.total) keep_foreseen();
     add_up();
     // A shard without routings is saved, too, but once.
     if (checkpoint_.save && (generated_ > before || !checkpoint_.before)) checkpoint_.save(part_);
@@ -223,17 +237,56 @@ class Exploration {
 
  private:
   // The evaluator is one of its own, since routings are made while others are evaluated.
-  void leave_out_unwanted() {
+  bool leave_out_unwanted() {
     auto evaluator =
         std::make_shared<DecidingEvaluator>(options_.model, options_.grasps, options_.score,
                                             options_.prices, deciding_objectives(options_));
-    if (!evaluator->estimates_beginnings()) return;
-    source_.leave_out_unwanted(
+    if (!evaluator->estimates_beginnings()) return false;
+    return source_.leave_out_unwanted(
         possible_hardware(options_.model),
         [this, evaluator](const RoutingBeginning& beginning, const ShardRange& places) {
+          ++part_.visited.beginnings;
           const std::optional<Estimate> bound = evaluator->estimate(beginning);
           return !bound || !is_far(*bound) || part_.sample.may_have_one(places);
         });
+  }
+
+  // A record, a piece and a shard hold what is best among their own designs.
+  bool is_alone() const {
+    return options_.shard.count == 1 && !options_.keeps_record && !keeps_ && !seen_;
+  }
+
+  void foresee() {
+    part_.sample.foresee({range_.begin + generated_, range_.end}, workers_, stop_);
+    if (is_alone()) foresee_designs();
+  }
+
+  // Searches the designs of the parts with little friction first. Most of the best are among them,
+  // and the whole enumeration begins with the worst: one tendon, round tubes.
+  void foresee_designs() {
+    ExploreOptions options = options_;
+    options.generator.parts =
+        of_least_friction(options.generator.parts, possible_hardware(options.model));
+    options.sample = 0;
+    options.references.clear();
+    foreseen_ = search_batches(options, {}, EvaluatedDesigns::that_may_be_kept,
+                               {.report = {}, .stop = stop_});
+    part_.visited += foreseen_->visited;
+    foreseen_->archive.members();
+    foreseen_->tradeoff.candidates();
+  }
+
+  // Designs that were left out for them are not missed where the search was stopped before it came
+  // to them.
+  void keep_foreseen() {
+    if (!foreseen_) return;
+    std::set<std::string> kept;
+    for (ArchivedDesign& member : part_.archive.members())
+      kept.insert(std::move(member.design.word));
+    for (ArchivedDesign& member : foreseen_->archive.members()) {
+      if (!kept.contains(member.design.word)) part_.archive.add(std::move(member.design));
+    }
+    for (Design& design : foreseen_->tradeoff.candidates()) part_.tradeoff.add(std::move(design));
   }
 
   void save() {
@@ -354,7 +407,7 @@ class Exploration {
     const auto may_be = [&](const ExplorationPart& part) {
       return part.archive.may_rank(values) || part.tradeoff.may_be_step(values);
     };
-    return may_be(part_) && (!seen_ || may_be(*seen_));
+    return may_be(part_) && (!seen_ || may_be(*seen_)) && (!foreseen_ || may_be(*foreseen_));
   }
 
   void hold_against_seen(BatchSlot& slot) const {
@@ -379,6 +432,7 @@ class Exploration {
       }
       if (!fails_by_parts(slot)) part_.unconverged += slot.unconverged;
       ++given_;
+      ++part_.visited.designs;
       if (!slot.has_tensions && slot.failed_constraint == 0) {
         part_.without_tensions.add({1, slot.word});
         continue;
@@ -424,6 +478,9 @@ class Exploration {
   ReferenceTally references_;
   ExplorationPart part_;
   std::optional<ExplorationPart> seen_;  // kept designs of the pieces before
+  bool leaves_out_unwanted_ = false;
+  // Good designs of this search, found beforehand. What they dominate is left out.
+  std::optional<ExplorationPart> foreseen_;
   const std::atomic<bool>* stop_ = nullptr;
   std::vector<DecidingEvaluator> evaluators_;
   std::vector<DesignEvaluator> whole_;  // one for each worker, for a store

@@ -6,11 +6,13 @@
 // add up. A part can thus be concluded alone, or after it has absorbed the others.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "core/routing.hpp"
+#include "numerics/parallel.hpp"
 #include "search/explore.hpp"
 #include "search/rank/archive.hpp"
 #include "search/rank/infeasible.hpp"
@@ -36,6 +38,9 @@ class DesignSample {
   bool would_enter(std::uint64_t place) const;
   // True if one at these places might.
   bool may_have_one(const ShardRange& places) const;
+  // Looks at all of these places beforehand, for may_have_one() of many of them. Without effect if
+  // stopped.
+  void foresee(const ShardRange& places, Workers& workers, const std::atomic<bool>* stop);
 
   void add(std::uint64_t place, const Routing& routing);
 
@@ -52,8 +57,18 @@ class DesignSample {
     bool operator<(const Member& other) const { return lot < other.lot; }
   };
 
+  // The places among some whose lots are below a bound, in their order.
+  struct LowLots {
+    ShardRange of;
+    double bound = 0;
+    std::vector<std::uint64_t> places;
+  };
+
+  bool knows(const ShardRange& places) const;
+
   std::size_t size_;
   std::vector<Member> members_;  // a heap: the greatest lot first
+  LowLots low_;
 };
 
 struct ExplorationPart : ExplorationCounts {
@@ -64,6 +79,7 @@ struct ExplorationPart : ExplorationCounts {
   Archive archive;
   TradeoffArchive tradeoff;
   DesignSample sample;
+  Visited visited{};  // in this process
 
   // Adds a disjoint part of the same exploration.
   void absorb(ExplorationPart other);

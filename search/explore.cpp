@@ -58,8 +58,11 @@ ExploreResult explore(const ExploreOptions& options, const Supervision& supervis
       search ? search(options, supervision, checkpoint)
              : search_batches(options, checkpoint, EvaluatedDesigns::that_may_be_kept, supervision);
   const bool told = options.shard.count > 1 || find_reaches(part, options, supervision);
+  const Visited visited = part.visited;
   ExploreResult result = conclude(std::move(part), options);
   result.partial |= !told;
+  const bool is_one_run = !search && !checkpoint.before && options.shard.count == 1;
+  if (is_one_run) result.visited = visited;
   result.made_all = static_cast<bool>(checkpoint.design);
   const auto elapsed = std::chrono::steady_clock::now() - start;
   result.seconds = std::chrono::duration<double>(elapsed).count();

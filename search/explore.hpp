@@ -71,6 +71,18 @@ struct Rejection {
   std::uint64_t count = 0;
 };
 
+// Work of one run: the same for any number of threads, less where more is known beforehand.
+struct Visited {
+  std::uint64_t designs = 0;     // designs looked at one by one; the others are counted
+  std::uint64_t beginnings = 0;  // partial designs whose bound was compared with what is kept
+
+  Visited& operator+=(const Visited& other) {
+    designs += other.designs;
+    beginnings += other.beginnings;
+    return *this;
+  }
+};
+
 struct ReferenceStanding {
   Design design;                   // evaluated whether or not it was generated
   std::uint64_t dominated_by = 0;  // designs that dominate it
@@ -90,6 +102,8 @@ struct ExploreResult {
   // Evaluated designs that constraints on parts alone reject. They are counted, not made, unless
   // all designs are kept (routing_source.hpp).
   std::uint64_t pruned = 0;
+  // Set if one run searched all routings, which no other shard or process shared.
+  std::optional<Visited> visited{};
   bool made_all = false;  // true if the pruned designs were made, too
   bool partial = false;
   double seconds = 0;

@@ -373,6 +373,9 @@ std::string explore_summary_json(const ExploreReport& report) {
   json["total"] = result.total;
   json["seconds"] = result.seconds;
   json["designs_per_second"] = rate(result);
+  const std::optional<Visited>& visited = result.visited;
+  json["designs_visited"] = visited ? Json(visited->designs) : Json(nullptr);
+  json["beginnings_visited"] = visited ? Json(visited->beginnings) : Json(nullptr);
   json["front_equals_left_out"] = result.front_equals_left_out;
   json["front_distinct"] = distinct_on_front(report);
   ObjectText text;

@@ -55,6 +55,15 @@ void ShapeCursor::push(const Token& token) {
   if (is_of_finger(token.kind)) ++passed_;
 }
 
+void ShapeCursor::pop() {
+  if (is_of_finger(shape_.walk.back().kind)) --passed_;
+  shape_.walk.pop_back();
+}
+
+void ShapeCursor::shorten(std::size_t tokens) {
+  while (shape_.walk.size() > tokens) pop();
+}
+
 bool ShapeCursor::start_family(const PartSet& parts, bool closed) {
   const bool joined = closed || fingers_ > 1;
   if (joined && parts.joins.empty()) return false;
@@ -75,8 +84,7 @@ void ShapeCursor::complete(const PartSet& parts) {
 bool ShapeCursor::next_walk(const PartSet& parts) {
   while (!shape_.walk.empty()) {
     const Token last = shape_.walk.back();
-    shape_.walk.pop_back();
-    if (is_of_finger(last.kind)) --passed_;
+    pop();
     const Choices here = choices(parts);
     const auto next = std::find(here.begin(), here.end(), last) + 1;
     if (next == here.end()) continue;
@@ -88,7 +96,8 @@ bool ShapeCursor::next_walk(const PartSet& parts) {
 }
 
 bool ShapeCursor::settle(const PartSet& parts) {
-  while (!is_canonical(shape_)) {
+  while (const std::size_t tokens = uncanonical_tokens(shape_)) {
+    shorten(tokens);
     if (!next_walk(parts)) return false;
   }
   return true;
@@ -100,8 +109,11 @@ bool ShapeCursor::start(const PartSet& parts, int fingers) {
   return (start_family(parts, false) || start_family(parts, true)) && settle(parts);
 }
 
-bool ShapeCursor::next(const PartSet& parts) {
-  ++index_;
+bool ShapeCursor::next(const PartSet& parts) { return next_beyond(parts, shape_.walk.size(), 1); }
+
+bool ShapeCursor::next_beyond(const PartSet& parts, std::size_t tokens, std::uint64_t shapes) {
+  shorten(tokens);
+  index_ += shapes;
   return next_walk(parts) && settle(parts);
 }
 

@@ -3,6 +3,7 @@
 
 #include <boost/container/static_vector.hpp>
 
+#include <cstddef>
 #include <cstdint>
 
 #include "core/routing.hpp"
@@ -17,6 +18,8 @@ class ShapeCursor {
   // Moves to the first shape; false if there is none.
   bool start(const PartSet& parts, int fingers);
   bool next(const PartSet& parts);
+  // Passes the shapes, so many from this one on, that begin with the first `tokens` of its walk.
+  bool next_beyond(const PartSet& parts, std::size_t tokens, std::uint64_t shapes);
 
   int fingers() const { return fingers_; }
   std::uint64_t index() const { return index_; }  // among the shapes of this size
@@ -29,6 +32,8 @@ class ShapeCursor {
   Choices choices(const PartSet& parts) const;
   bool is_whole() const;
   void push(const Token& token);
+  void pop();
+  void shorten(std::size_t tokens);
   void complete(const PartSet& parts);
   bool start_family(const PartSet& parts, bool closed);
   bool next_walk(const PartSet& parts);

@@ -22,6 +22,7 @@ struct RoutingBeginning {
   std::vector<const TreeOutline*> trees;  // in the order of the routing
   int open = 0;                           // number of fingers on other trees, behind these
   double most_motor_tension = 0;          // M
+  bool is_bound = false;  // true if the sums of the trees only bound those of several
 };
 
 // Uniformity and motor efficiency over the grasps, as bounds give them.

@@ -1,6 +1,7 @@
 #include "search/limits/limited_tendons.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/canonical.hpp"
 #include "search/enumerate/checked.hpp"
@@ -13,6 +14,7 @@ namespace reeve::search {
 LimitedTendons::LimitedTendons(const PartClasses& classes, const PartSet& parts, int fingers,
                                bool one_tendon, std::uint64_t longest_list)
     : classes_(classes),
+      parts_(parts),
       one_tendon_(one_tendon),
       shapes_(tendon_counts(parts, fingers, FingerIdentity::identical)),
       shape_counts_(shape_counts(classes, parts, fingers)),
@@ -107,30 +109,108 @@ bool LimitedTendons::leave_out_unwanted(const Hardware& hardware, IsWanted is_wa
   if (shapes_[fingers / 2] > most_short_tendons) return false;
   is_wanted_ = std::move(is_wanted);
   outlines_ = std::make_unique<ShapeOutlines>(hardware, listed_, static_cast<int>(fingers));
+  bound_walks(hardware);
   return true;
 }
 
-// A whole routing is not asked for: whoever reads it evaluates it.
-bool LimitedTendons::may_be_wanted(const Level& level) {
-  if (!outlines_ || level.rest() == 0) return true;
+void LimitedTendons::bound_walks(const Hardware& hardware) {
+  const int fingers = static_cast<int>(shapes_.size()) - 1;
+  walk_bounds_.resize(shapes_.size());
+  if (parts_.anchored) return;
+  beginning_counts_ = std::make_unique<BeginningCounts>(classes_, parts_, fingers);
+  for (int size = fingers / 2 + 1; size <= fingers; ++size) {
+    if (listed_.is_listed(size)) continue;
+    walk_bounds_[static_cast<std::size_t>(size)] = std::make_unique<WalkBounds>(
+        hardware, parts_, size, outlines_->most_motor_tension(fingers - size));
+  }
+}
+
+// Passes the shapes whose walks begin in an unwanted way. False if no other one is left.
+bool LimitedTendons::pass_unwanted_walks(Level& level) {
+  if (&level != at_.levels.data() || !outlines_) return true;
+  while (walk_bounds_[static_cast<std::size_t>(level.shape.size)]) {
+    const Tendon& tendon = listed_.tendon(level.shape);
+    if (level.shape.index == 0) at_.last_walk.clear();
+    const std::size_t tokens = tendon.closed ? 0 : unwanted_tokens(level, tendon.walk);
+    if (tokens == 0) return true;
+    check_.step();
+    ++steps_;
+    if (listed_.next_beyond(level.shape, tokens, beginning_counts_->count(at_.last_walk, tokens))) {
+      continue;
+    }
+    if (one_tendon_ || !start_at_most(level.shape, level.shape.size - 1)) return false;
+  }
+  return true;
+}
+
+// Looks at beginnings that the shape before does not have, of which this is the first shape.
+// Returns the number of tokens of the shortest that is unwanted, or 0.
+std::size_t LimitedTendons::unwanted_tokens(const Level& level, const Walk& walk) {
+  const auto differs =
+      std::mismatch(walk.begin(), walk.end(), at_.last_walk.begin(), at_.last_walk.end(),
+                    [](const Token& a, const Token& b) { return a == b; });
+  const auto same = static_cast<std::size_t>(differs.first - walk.begin());
+  at_.last_walk = walk;
+  WalkBounds& bounds = *walk_bounds_[static_cast<std::size_t>(level.shape.size)];
+  for (int passed = level.shape.size / 2 + 1; passed < level.shape.size; ++passed) {
+    const std::size_t tokens = static_cast<std::size_t>(2 * passed) + 1;
+    if (tokens <= same) continue;
+    bounds.read(walk, passed);
+    if (!has_wanted_walks(level, beginning_counts_->count(walk, tokens))) return tokens;
+  }
+  return 0;
+}
+
+// True if a shape among those that begin as this one may be wanted.
+bool LimitedTendons::has_wanted_walks(const Level& level, const ClassCounts& alike) {
+  const std::uint64_t shapes = std::accumulate(alike.begin(), alike.end(), std::uint64_t{0});
+  WalkBounds& bounds = *walk_bounds_[static_cast<std::size_t>(level.shape.size)];
+  for (int m = 1; m <= bounds.most_motor_sides(); ++m) {
+    if (bounds.outline(m, bound_) && is_bound_wanted(level, bound_, shapes)) return true;
+  }
+  return false;
+}
+
+// Asks for so many shapes from this one on, which this outline bounds. It is the first tendon.
+bool LimitedTendons::is_bound_wanted(const Level& level, const TreeOutline& bound,
+                                     std::uint64_t shapes) {
+  beginning_ = {{&bound}, level.rest(), 0, true};
+  return is_wanted_(beginning_, places(level, shapes));
+}
+
+// The places of what begins with the tendons so far, the last of them one of these shapes.
+ShardRange LimitedTendons::places(const Level& level, std::uint64_t shapes) const {
+  ListedShape next;
+  next.size = level.shape.size;
+  next.index = level.shape.index + shapes;
   ShardRange places;
-  beginning_.trees.clear();
+  for (const Level* each = at_.levels.data(); each < &level; ++each) places.begin += each->before;
+  const std::uint64_t here = from(level.shape, level.open);
+  places.begin += from(level.first, level.open) - here;
+  places.end = places.begin + here - from(next, level.open);
+  return places;
+}
+
+// A whole routing is asked for if a bound is found sooner than its reader would evaluate it.
+bool LimitedTendons::may_be_wanted(const Level& level) {
+  if (!outlines_) return true;
+  if (&level == at_.levels.data() && !listed_.is_listed(level.shape.size)) {
+    const TreeOutline* const bound = outlines_->find_bound(level.shape);
+    if (bound != nullptr && !is_bound_wanted(level, *bound, 1)) return false;
+  }
+  if (level.rest() == 0) return true;
+  beginning_ = {{}, level.rest(), outlines_->most_motor_tension(level.rest()), false};
   for (const Level* each = at_.levels.data(); each <= &level; ++each) {
     beginning_.trees.push_back(outlines_->find(each->shape));
     if (beginning_.trees.back() == nullptr) return true;
-    places.begin += each->before;
   }
-  beginning_.open = level.rest();
-  beginning_.most_motor_tension = outlines_->most_motor_tension(level.rest());
-  ListedShape next = level.shape;
-  ++next.index;
-  places.end = places.begin + from(level.shape, level.open) - from(next, level.open);
-  return is_wanted_(beginning_, places);
+  return is_wanted_(beginning_, places(level, 1));
 }
 
 // Goes to the first shape, from this one on, that can still be completed. False if there is none.
 bool LimitedTendons::settle(Level& level) {
   do {
+    if (!pass_unwanted_walks(level)) return false;
     level.sum = classes_.plus(level.base, level.shape.parts);
     if (!can_be_filled(level)) continue;
     level.before = from(level.first, level.open) - from(level.shape, level.open);
@@ -192,6 +272,7 @@ void LimitedTendons::descend(std::uint64_t index) {
     Level& level = at_.levels[at_.depth];
     enter();
     choose(level, index);
+    if (at_.depth == 0) at_.last_walk = listed_.tendon(level.shape).walk;
     level.sum = classes_.plus(level.base, level.shape.parts);
     level.before = from(level.first, level.open) - from(level.shape, level.open);
   }

@@ -10,7 +10,9 @@
 // so the place of a routing is the sum over its tendons of N(first choice) - N(this choice).
 //
 // The reader may also say that nothing is wanted of what begins in some way
-// (evaluate/routing_beginning.hpp): it is passed over likewise.
+// (evaluate/routing_beginning.hpp): it is passed over likewise. A first tendon with more than half
+// of the fingers is asked for when half of it is chosen (walk_bounds.hpp), and all that begin so
+// are passed over by their number (beginning_counts.hpp).
 #pragma once
 
 #include <cstdint>
@@ -23,8 +25,10 @@
 #include "core/routing.hpp"
 #include "search/enumerate/generator.hpp"
 #include "search/evaluate/routing_beginning.hpp"
+#include "search/limits/beginning_counts.hpp"
 #include "search/limits/listed_shapes.hpp"
 #include "search/limits/shape_outlines.hpp"
+#include "search/limits/walk_bounds.hpp"
 #include "search/stop_check.hpp"
 
 namespace reeve::search {
@@ -85,6 +89,7 @@ class LimitedTendons {
     std::vector<Level> levels;  // the first `depth` are in use
     std::size_t depth = 0;
     Position position = Position::behind_last;
+    Walk last_walk;  // walk of the first shape whose beginnings were looked at last
   };
 
   std::uint64_t from(const ListedShape& shape, int open) const;
@@ -96,6 +101,12 @@ class LimitedTendons {
   bool step(Level& level);
   bool can_be_filled(const Level& level) const;
   bool may_be_wanted(const Level& level);
+  void bound_walks(const Hardware& hardware);
+  bool pass_unwanted_walks(Level& level);
+  std::size_t unwanted_tokens(const Level& level, const Walk& walk);
+  bool has_wanted_walks(const Level& level, const ClassCounts& alike);
+  bool is_bound_wanted(const Level& level, const TreeOutline& bound, std::uint64_t shapes);
+  ShardRange places(const Level& level, std::uint64_t shapes) const;
   bool settle(Level& level);
   bool fill();
   bool advance();
@@ -105,6 +116,7 @@ class LimitedTendons {
   void write(Routing& routing) const;
 
   const PartClasses& classes_;
+  PartSet parts_;
   bool one_tendon_;
   std::vector<std::uint64_t> shapes_;             // [size]
   std::vector<std::vector<std::uint64_t>> sets_;  // [largest][fingers]
@@ -113,6 +125,10 @@ class LimitedTendons {
   std::vector<std::vector<ClassSet>> can_be_filled_;  // [largest][fingers]: sums before
   ListedShapes listed_;
   std::unique_ptr<ShapeOutlines> outlines_;  // set if what is unwanted is left out
+  // [size], of tendons with more than half of the fingers that are in no list.
+  std::vector<std::unique_ptr<WalkBounds>> walk_bounds_;
+  std::unique_ptr<BeginningCounts> beginning_counts_;
+  TreeOutline bound_;  // of the tendons that begin alike
   IsWanted is_wanted_;
   RoutingBeginning beginning_;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 namespace reeve::search {
 namespace {
@@ -77,27 +78,32 @@ bool ListedShapes::step(Passed& passed) {
 }
 
 // On to the next one, with the tally of those that were passed.
-void ListedShapes::pass(ListedShape& shape) {
+bool ListedShapes::next_beyond(ListedShape& shape, std::size_t tokens, const ClassCounts& passed) {
+  const std::uint64_t many = std::accumulate(passed.begin(), passed.end(), std::uint64_t{0});
+  const std::uint64_t index = shape.index + many;
   Walk& walk = this->walk(shape.size);
   const bool is_next = walk.next == shape.index;
   if (is_next) {
-    ++walk.counts[shape.parts];
-    ++walk.next;
+    add(walk.counts, passed);
+    walk.next = index;
   }
-  shape.cursor.next(parts_);
-  ++shape.index;
+  if (index == count(shape.size)) return false;
+  shape.cursor.next_beyond(parts_, tokens, many);
+  shape.index = index;
   shape.parts = parts_of(shape.cursor.shape());
   if (is_next) leave_milestone(walk, shape.cursor, walk.counts);
+  return true;
 }
 
 bool ListedShapes::next(ListedShape& shape) {
   if (shape.index + 1 == count(shape.size)) return false;
-  if (list(shape.size) != nullptr) {
+  if (is_listed(shape.size)) {
     advance_to(shape, shape.index + 1);
-  } else {
-    pass(shape);
+    return true;
   }
-  return true;
+  one_.assign(classes_.count(), 0);
+  one_[shape.parts] = 1;
+  return next_beyond(shape, shape.cursor.shape().walk.size(), one_);
 }
 
 void ListedShapes::advance_to(ListedShape& shape, std::uint64_t index) {

@@ -37,6 +37,10 @@ class ListedShapes {
   // False if there is none.
   bool start(ListedShape& shape, int size) const;
   bool next(ListedShape& shape);
+  // Passes the shapes that begin with the first `tokens` of this one's walk, of which it is the
+  // first. Not of a size that is in a list.
+  bool next_beyond(ListedShape& shape, std::size_t tokens, const ClassCounts& passed);
+  bool is_listed(int size) const { return list(size) != nullptr; }
   // Goes on to this index, which is not before its own and below the count.
   void advance_to(ListedShape& shape, std::uint64_t index);
   const Tendon& tendon(const ListedShape& shape) const;
@@ -72,7 +76,6 @@ class ListedShapes {
   const List* list(int size) const;
   Walk& walk(int size);
   bool step(Passed& passed);
-  void pass(ListedShape& shape);
   void leave_milestone(Walk& walk, const ShapeCursor& cursor, const ClassCounts& counts);
   PartClass parts_of(const Tendon& tendon) const { return classes_.of_tree(classes_.of(tendon)); }
 
@@ -81,6 +84,7 @@ class ListedShapes {
   std::vector<std::uint64_t> counts_;
   std::vector<List> lists_;  // [size]; empty: none
   std::vector<Walk> walks_;  // [size]; empty before the first walk
+  ClassCounts one_;          // counts of a single shape
   std::uint64_t steps_ = 0;
   StopCheck check_;
 };

@@ -1,11 +1,15 @@
 #include "search/limits/shape_outlines.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace reeve::search {
 
 ShapeOutlines::ShapeOutlines(const Hardware& hardware, ListedShapes& shapes, int fingers)
-    : shapes_(shapes), tendon_sums_(hardware), short_(1) {
+    : shapes_(shapes),
+      tendon_sums_(hardware),
+      short_(1),
+      most_efficiency_(std::exp(-hardware.sheath.exponent())) {
   most_motor_.resize(static_cast<std::size_t>(fingers) + 1);
   for (int size = 1; 2 * size <= fingers; ++size) look_at_size(size);
 }
@@ -31,6 +35,16 @@ void ShapeOutlines::look_at_size(int size) {
     const double with_it = most_motor_[n - static_cast<std::size_t>(size)] + most;
     most_motor_[n] = std::max(most_motor_[n], with_it);
   }
+}
+
+const TreeOutline* ShapeOutlines::find_bound(const ListedShape& shape) {
+  constexpr int few = 1;
+  if (!tendon_sums_.find(shapes_.tendon(shape), few, bound_)) return nullptr;
+  TreeSums at_best;
+  at_best.motor = 1;
+  at_best.strands.add(1, most_efficiency_);
+  bound_.sums.resize(static_cast<std::size_t>(shape.size) + 1, at_best);
+  return &bound_;
 }
 
 const TreeOutline* ShapeOutlines::find(const ListedShape& shape) {

@@ -19,6 +19,9 @@ class ShapeOutlines {
   // more than half of the fingers.
   const TreeOutline* find(const ListedShape& shape);
 
+  // Returns sums that bound those of a shape in no list, of few of its states.
+  const TreeOutline* find_bound(const ListedShape& shape);
+
   // The greatest motor tension, in any state, of tendons that pass so many fingers in all, each at
   // most half of those of a routing.
   double most_motor_tension(int fingers) const {
@@ -33,6 +36,8 @@ class ShapeOutlines {
   TendonSums tendon_sums_;
   std::vector<std::vector<TreeOutline>> short_;  // [size][index], without sums where there are none
   TreeOutline long_;
+  TreeOutline bound_;
+  double most_efficiency_;
   ListedShape of_long_;
   std::vector<double> most_motor_;  // [fingers]
 };

@@ -158,5 +158,17 @@ TEST(Random, NormalsOfSeedsStreamsAndNeighboursAreNotCorrelated) {
   for (const double sum : sums) EXPECT_NEAR(sum / many, 0, 4 / std::sqrt(many));
 }
 
+// Across 2^32, where the second word of the counter begins to count.
+TEST(Random, UniformNumbersBelowABoundAreFoundInARange) {
+  const std::uint64_t begin = (std::uint64_t{1} << 32) - 5000;
+  for (const double bound : {0.0, 1e-9, 0.001, 0.4, 1.0}) {
+    std::vector<std::uint64_t> expected;
+    for (std::uint64_t i = begin; i < begin + 10000; ++i) {
+      if (uniform(3, 5, i) < bound) expected.push_back(i);
+    }
+    EXPECT_EQ(uniform_below(bound, 3, 5, begin, begin + 10000), expected) << bound;
+  }
+}
+
 }  // namespace
 }  // namespace reeve

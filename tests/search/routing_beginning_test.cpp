@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -77,39 +79,82 @@ TEST(RoutingBeginning, BoundsEveryRoutingThatBeginsSo) {
   EXPECT_GT(compared({full_parts(), 5}, {}, {{Grasp{0b1}, 1}, {Grasp{0b10000}, 2}}), 1000U);
 }
 
+// Tendons without blocks, as a search lists those of at most 16384, or as it walks through more.
+struct Listing {
+  Listing(const GeneratorOptions& options, std::uint64_t longest)
+      : classes({}, options),
+        tendons(classes, options.parts, options.fingers, options.one_tendon, longest) {}
+
+  PartClasses classes;
+  LimitedTendons tendons;
+};
+
 // Routings behind the unwanted ones have the places that they would have otherwise.
-TEST(RoutingBeginning, ThatIsUnwantedIsPassedOver) {
-  const GeneratorOptions options{full_parts(), 5};
-  LimitedGenerator all(options, {});
-  LimitedGenerator some(options, {});
+void expect_passed_over(int fingers, std::uint64_t longest) {
+  const GeneratorOptions options{full_parts(), fingers};
+  Listing all(options, longest);
+  Listing some(options, longest);
   const auto is_wanted = [](const ShardRange& places) { return places.begin % 3 != 0; };
   std::vector<ShardRange> unwanted;
-  ASSERT_TRUE(some.leave_out_unwanted({}, [&](const RoutingBeginning&, const ShardRange& places) {
-    if (!is_wanted(places)) unwanted.push_back(places);
-    return is_wanted(places);
-  }));
-  all.seek(0);
-  some.seek(0);
+  ASSERT_TRUE(
+      some.tendons.leave_out_unwanted({}, [&](const RoutingBeginning&, const ShardRange& places) {
+        if (!is_wanted(places)) unwanted.push_back(places);
+        return is_wanted(places);
+      }));
+  all.tendons.seek(fingers, PartClasses::none, 0);
+  some.tendons.seek(fingers, PartClasses::none, 0);
   Routing routing;
   Routing other;
   std::uint64_t place = 0;
   std::uint64_t of_other = 0;
-  std::size_t left_out = 0;
-  while (some.next(other, of_other)) {
-    while (all.next(routing, place) && place < of_other) ++left_out;
+  std::set<std::uint64_t> left_out;
+  while (some.tendons.next(other, of_other)) {
+    while (all.tendons.next(routing, place) && place < of_other) left_out.insert(place);
     ASSERT_EQ(place, of_other);
     ASSERT_EQ(to_word(routing), to_word(other));
   }
-  while (all.next(routing, place)) ++left_out;
-  std::size_t expected = 0;
-  all.seek(0);
-  while (all.next(routing, place)) {
-    for (const ShardRange& places : unwanted) {
-      if (place >= places.begin && place < places.end) ++expected;
+  while (all.tendons.next(routing, place)) left_out.insert(place);
+  const auto is_unwanted = [&](std::uint64_t at) {
+    return std::any_of(unwanted.begin(), unwanted.end(), [&](const ShardRange& places) {
+      return at >= places.begin && at < places.end;
+    });
+  };
+  all.tendons.seek(fingers, PartClasses::none, 0);
+  while (all.tendons.next(routing, place)) {
+    ASSERT_EQ(left_out.contains(place), is_unwanted(place)) << place;
+  }
+  EXPECT_GT(left_out.size(), 1000U);
+  for (std::uint64_t at = 0; at <= all.tendons.total(fingers); at += 997) {
+    ASSERT_EQ(some.tendons.counts_before(fingers, at), all.tendons.counts_before(fingers, at));
+  }
+}
+
+TEST(RoutingBeginning, ThatIsUnwantedIsPassedOver) {
+  expect_passed_over(5, ListedShapes::default_longest);
+  expect_passed_over(5, 0);
+  expect_passed_over(4, 40);
+}
+
+// From within what begins alike, too.
+TEST(RoutingBeginning, ThatIsUnwantedIsPassedOverBehindAnyPlace) {
+  const GeneratorOptions options{full_parts(), 4};
+  Listing some(options, 0);
+  ASSERT_TRUE(some.tendons.leave_out_unwanted(
+      {}, [](const RoutingBeginning&, const ShardRange& places) { return places.begin % 2 == 0; }));
+  Listing all(options, 0);
+  Routing routing;
+  Routing other;
+  std::uint64_t place = 0;
+  std::uint64_t of_other = 0;
+  for (std::uint64_t from = 0; from < all.tendons.total(4); from += 13) {
+    some.tendons.seek(4, PartClasses::none, from);
+    for (int i = 0; i < 5 && some.tendons.next(other, of_other); ++i) {
+      all.tendons.seek(4, PartClasses::none, of_other);
+      ASSERT_TRUE(all.tendons.next(routing, place));
+      ASSERT_EQ(place, of_other);
+      ASSERT_EQ(to_word(routing), to_word(other));
     }
   }
-  EXPECT_EQ(left_out, expected);
-  EXPECT_GT(left_out, 1000U);
 }
 
 }  // namespace

@@ -106,5 +106,25 @@ TEST(Explore, SamplesWhatTheConstraintsAdmitWithAllValues) {
   for (const Design& design : result.sample) EXPECT_EQ(design.values, expected.at(design.word));
 }
 
+TEST(Sample, ForeseenKnowsWhichPlacesMayEnter) {
+  constexpr std::uint64_t places = 2'000'000;
+  DesignSample foreseen = of(2, 0, 100'000);
+  Workers workers(2);
+  foreseen.foresee({0, places}, workers, nullptr);
+  const DesignSample looking = of(2, 0, 100'000);
+  std::size_t may = 0;
+  for (std::uint64_t begin = 0; begin < places; begin += 10'000) {
+    const ShardRange range{begin, begin + 10'000};
+    bool expected = false;
+    for (std::uint64_t place = begin; place < range.end && !expected; ++place) {
+      expected = looking.would_enter(place);
+    }
+    EXPECT_EQ(foreseen.may_have_one(range), expected) << begin;
+    if (expected) ++may;
+  }
+  EXPECT_GT(may, 5U);
+  EXPECT_LT(may, 150U);
+}
+
 }  // namespace
 }  // namespace reeve
