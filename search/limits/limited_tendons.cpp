@@ -127,7 +127,7 @@ void LimitedTendons::bound_walks(const Hardware& hardware) {
 
 // Passes the shapes whose walks begin in an unwanted way. False if no other one is left.
 bool LimitedTendons::pass_unwanted_walks(Level& level) {
-  if (&level != at_.levels.data() || !outlines_) return true;
+  if (!is_first(level) || !outlines_) return true;
   while (walk_bounds_[static_cast<std::size_t>(level.shape.size)]) {
     const Tendon& tendon = listed_.tendon(level.shape);
     if (level.shape.index == 0) at_.last_walk.clear();
@@ -191,14 +191,15 @@ ShardRange LimitedTendons::places(const Level& level, std::uint64_t shapes) cons
   return places;
 }
 
-// A whole routing is asked for if a bound is found sooner than its reader would evaluate it.
+// A tendon alone is asked for by few of its states: its reader finds the others while the next one
+// is made.
 bool LimitedTendons::may_be_wanted(const Level& level) {
   if (!outlines_) return true;
-  if (&level == at_.levels.data() && !listed_.is_listed(level.shape.size)) {
+  if (is_first(level) && !listed_.is_listed(level.shape.size)) {
     const TreeOutline* const bound = outlines_->find_bound(level.shape);
     if (bound != nullptr && !is_bound_wanted(level, *bound, 1)) return false;
   }
-  if (level.rest() == 0) return true;
+  if (level.rest() == 0 && is_first(level)) return true;
   beginning_ = {{}, level.rest(), outlines_->most_motor_tension(level.rest()), false};
   for (const Level* each = at_.levels.data(); each <= &level; ++each) {
     beginning_.trees.push_back(outlines_->find(each->shape));

@@ -99,6 +99,7 @@ class LimitedTendons {
   bool start_at_most(ListedShape& shape, int size);
   bool enter();
   bool step(Level& level);
+  bool is_first(const Level& level) const { return &level == at_.levels.data(); }
   bool can_be_filled(const Level& level) const;
   bool may_be_wanted(const Level& level);
   void bound_walks(const Hardware& hardware);
