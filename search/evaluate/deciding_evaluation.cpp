@@ -171,7 +171,7 @@ DecidingEvaluator::DecidingEvaluator(const Model& model, const GraspSet& grasps,
 
 std::optional<Estimate> DecidingEvaluator::estimate(const RoutingBeginning& beginning) {
   if (!estimates_beginnings()) return std::nullopt;
-  const bool is_whole = beginning.open == 0 && !beginning.is_bound;
+  const bool is_whole = beginning.open == 0 && !beginning.bounds_best_alone;
   int fingers = beginning.open;
   outcome_.parts = {};
   for (const TreeOutline* tree : beginning.trees) {

@@ -22,7 +22,8 @@ struct RoutingBeginning {
   std::vector<const TreeOutline*> trees;  // in the order of the routing
   int open = 0;                           // number of fingers on other trees, behind these
   double most_motor_tension = 0;          // M
-  bool is_bound = false;  // true if the sums of the trees only bound those of several
+  // True if it is not known how bad a routing that begins so can be, even if no finger is open.
+  bool bounds_best_alone = false;
 };
 
 // Uniformity and motor efficiency over the grasps, as bounds give them.

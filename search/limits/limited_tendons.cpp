@@ -200,7 +200,7 @@ bool LimitedTendons::may_be_wanted(const Level& level) {
     if (bound != nullptr && !is_bound_wanted(level, *bound, 1)) return false;
   }
   if (level.rest() == 0 && is_first(level)) return true;
-  beginning_ = {{}, level.rest(), outlines_->most_motor_tension(level.rest()), false};
+  beginning_ = {{}, level.rest(), outlines_->most_motor_tension(level.rest()), true};
   for (const Level* each = at_.levels.data(); each <= &level; ++each) {
     beginning_.trees.push_back(outlines_->find(each->shape));
     if (beginning_.trees.back() == nullptr) return true;
