@@ -175,7 +175,7 @@ double motor_force(const HandFinger& finger, bool held, const FingerPull& pull_p
 }
 
 GripDemand grip_demand(const Hand& hand, int fingers, const HandPulls& pulls, Grasp grasp) {
-  GripDemand demand{std::numeric_limits<double>::infinity(), 0, 1, {}, pulls.stretches_mm_N};
+  GripDemand demand{std::numeric_limits<double>::infinity(), 0, 1, {}};
   for (int number = 1; number <= fingers; ++number) {
     const HandFinger& finger = hand.finger(number);
     const FingerPull& pull = pulls.fingers[static_cast<std::size_t>(number)];

@@ -104,9 +104,8 @@ struct GripDemand {
   // can close against their springs; infinite if a finger hangs on slack strands. With several
   // motors that of the motor that needs most.
   double motor_force_N = 0;
-  int weakest = 0;              // the finger that asks for it; 0 if nothing is gripped
-  MotorArray motors_N{};        // force of each motor
-  MotorArray stretches_mm_N{};  // HandPulls::stretches_mm_N
+  int weakest = 0;        // the finger that asks for it; 0 if nothing is gripped
+  MotorArray motors_N{};  // force of each motor
 };
 GripDemand grip_demand(const Hand& hand, int fingers, const HandPulls& pulls, Grasp grasp);
 // Returns the motor force that one finger alone needs.

@@ -77,14 +77,4 @@ HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics
                     [](Grasp, double, double, const std::vector<double>&) {});
 }
 
-MotorArray spring_stretches(const MotorArray& stretches_mm_N, const MotorArray& forces_N,
-                            double closure) {
-  MotorArray stretches_mm{};
-  for (std::size_t motor = 0; motor < max_carriages; ++motor) {
-    const bool is_known = closure == 1 && std::isfinite(forces_N[motor]);
-    if (is_known) stretches_mm[motor] = stretches_mm_N[motor] * forces_N[motor];
-  }
-  return stretches_mm;
-}
-
 }  // namespace reeve::core

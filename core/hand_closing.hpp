@@ -9,11 +9,8 @@
 //   stroke    D: the travel until then
 //   closure   least share of its range that a finger has closed: 1 if nothing blocks the carriage
 //
-// A tendon with slack s, whose motor sides take in m D, closes nothing before D = s / m.
-//
-// A spring in series then stretches by T/k, T its tension at the motor force: a motor travels by
-// the greatest of its own further. That is left out where the hand does not close, since the
-// carriage would go on and close other fingers.
+// A tendon with slack s, whose motor sides take in m D, closes nothing before D = s / m; a spring
+// in series stretches by none of the stroke.
 //
 // A locked end takes nothing in.
 //
@@ -134,10 +131,5 @@ HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics
 
 HandClosing close_hand(const Hand& hand, const Network& network, const Mechanics& mechanics,
                        Kinematics& kinematics, Motion& motion, const Grasp& open = {});
-
-// Returns the travel of each motor that stretches its springs at these forces, of a hand that
-// closes; 0 if it does not, or if no force is enough.
-MotorArray spring_stretches(const MotorArray& stretches_mm_N, const MotorArray& forces_N,
-                            double closure);
 
 }  // namespace reeve::core

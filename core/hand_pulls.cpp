@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "core/motor_sides.hpp"
-#include "core/tension/tree_kinematics.hpp"
 
 namespace reeve::core {
 namespace {
@@ -42,20 +41,6 @@ double hardest(const MotorGroup& group, const TensionState& state) {
     if (group.has_motor(motor)) most = std::max(most, state.motor_tension[motor]);
   }
   return most;
-}
-
-void add_stretches(const Network& network, const MotorGroup& group, const Grasp& grasp,
-                   const SolvedGrasp& solved, HandPulls& pulls) {
-  const auto& [state, mechanics] = solved;
-  for (std::size_t i = 0; i < network.segments.size(); ++i) {
-    if (mechanics.springs_mm[i] == 0) continue;
-    const auto motor = static_cast<std::size_t>(network.segments[i].carriage) - 1;
-    const bool is_drawn_in = end_travel(network, mechanics, grasp, i) > 0;
-    if (!group.has_motor(motor) || !is_drawn_in || state.motor_tension[motor] == 0) continue;
-    const double stretch_mm = state.tension[i] * mechanics.springs_mm[i] / mechanics.EA_N;
-    pulls.stretches_mm_N[motor] = std::max(
-        pulls.stretches_mm_N[motor], stretch_mm / mechanics.spool(i) / state.motor_tension[motor]);
-  }
 }
 
 }  // namespace
@@ -103,8 +88,8 @@ bool is_driven(const Network& network, const MotorGroup& group, const Grasp& gra
   });
 }
 
-void add_pulls(const Network& network, const MotorGroup& group, const Grasp& grasp,
-               const SolvedGrasp& solved, HandPulls& pulls) {
+void add_pulls(const Network& network, const MotorGroup& group, const SolvedGrasp& solved,
+               HandPulls& pulls) {
   const double unit_N = hardest(group, solved.state);
   const FingerPullArray found = finger_pulls_of(network, solved.mechanics, solved.state);
   for (int f = 1; f <= network.fingers; ++f) {
@@ -117,7 +102,6 @@ void add_pulls(const Network& network, const MotorGroup& group, const Grasp& gra
   for (std::size_t motor = 0; motor < max_carriages; ++motor) {
     if (group.has_motor(motor)) pulls.ratios[motor] = solved.state.motor_tension[motor] / unit_N;
   }
-  if (!solved.mechanics.springs_mm.empty()) add_stretches(network, group, grasp, solved, pulls);
 }
 
 }  // namespace reeve::core

@@ -50,9 +50,6 @@ struct HandPulls {
   FingerPullArray fingers{};
   std::array<MotorGroup, max_fingers + 1> groups{};  // group of each finger, at its number
   MotorArray ratios{};  // tension of each motor; 0 of all motors of a group that stands still
-  // Travel of each motor that stretches its springs in series, per newton of its own tension: the
-  // greatest T/k over the spool's ratio, of the ends that it draws in.
-  MotorArray stretches_mm_N{};
 
   // Returns the pull of the hardest motor at which no motor of the finger's group pulls with more
   // than its own of these forces; 0 if none pulls.
@@ -67,8 +64,8 @@ struct SolvedGrasp {
 
 // True if some end of the group moves.
 bool is_driven(const Network& network, const MotorGroup& group, const Grasp& grasp);
-void add_pulls(const Network& network, const MotorGroup& group, const Grasp& grasp,
-               const SolvedGrasp& solved, HandPulls& pulls);
+void add_pulls(const Network& network, const MotorGroup& group, const SolvedGrasp& solved,
+               HandPulls& pulls);
 
 // `solve(grasp)` returns a SolvedGrasp.
 template <typename Solve>
@@ -80,7 +77,7 @@ HandPulls hand_pulls(const Network& network, const Grasp& grasp, Solve solve) {
       if (group.has_finger(f)) pulls.groups[static_cast<std::size_t>(f)] = group;
     }
     if (!is_driven(network, group, grasp)) continue;
-    add_pulls(network, group, grasp, solve(pulling_alone(group, groups, grasp)), pulls);
+    add_pulls(network, group, solve(pulling_alone(group, groups, grasp)), pulls);
   }
   return pulls;
 }

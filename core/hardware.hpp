@@ -124,7 +124,7 @@ struct SpoolHardware {
 struct TendonHardware {
   int tendon = 0;
   // The stiffness is that of a spring in series, at the tendon's only end at a motor. Where the
-  // tendon jams, the carriage goes on by T/k, which no result counts.
+  // tendon jams, the carriage goes on by T/k, which no result counts (mechanics.hpp).
   std::optional<double> stiffness_N_mm{};
   std::optional<double> slack_mm{};  // length that its motor takes in before it pulls
 

@@ -149,12 +149,8 @@ void add_motion_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
                      true});
     return;
   }
-  const auto longest = std::ranges::max_element(demand.strokes_mm) - demand.strokes_mm.begin();
-  const double stretch_mm = demand.stretches_mm[static_cast<std::size_t>(longest)];
-  const std::string in_series =
-      stretch_mm > 0 ? fmt::format(", {:.4g} mm of it stretch springs in series", stretch_mm) : "";
-  lines.push_back({fmt::format("Stroke {:.4g} mm in {:.4g} s: {:.4g} mm/s{}", demand.stroke_mm,
-                               hand.motor.close_s, demand.speed_mm_s, in_series)});
+  lines.push_back({fmt::format("Stroke {:.4g} mm in {:.4g} s: {:.4g} mm/s", demand.stroke_mm,
+                               hand.motor.close_s, demand.speed_mm_s)});
   if (demand.closure < 1) {
     lines.push_back(
         {fmt::format("{}: the last finger stands at {} of its range",
@@ -187,6 +183,7 @@ std::string last_text(const StrokeReach& reach) {
 
 // Adds lines on the given motor: its fingertip forces, and its closure if the stroke is too short.
 void add_reach_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
+  const char* const springs = hand.springs ? ", if springs in series do not stretch," : "";
   if (hand.force_reach && hand.force_reach->weakest > 0) {
     const ForceReach& reach = *hand.force_reach;
     const std::string where = fmt::format("finger {} is the weakest, at its joint {}, with held {}",
@@ -194,17 +191,18 @@ void add_reach_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
     lines.push_back(
         {reach.share > 0
              ? fmt::format(
-                   "With {:.4g} N the fingers press with {} of all wanted forces or more, at "
+                   "With {:.4g} N{} the fingers press with {} of all wanted forces or more, at "
                    "the nominal coefficients: {}, {:.3g} N",
-                   reach.motor_N, percent(reach.share), where, reach.force_N)
+                   reach.motor_N, springs, percent(reach.share), where, reach.force_N)
              : fmt::format("With {:.4g} N not every finger closes and presses: {}", reach.motor_N,
                            where)});
   }
   if (!hand.stroke_reach) return;
   const StrokeReach& reach = *hand.stroke_reach;
   if (reach.closure < hand.demand.closure) {
-    lines.push_back({fmt::format("With {:.4g} mm of stroke the hand closes to {} of its range{}",
-                                 *hand.motor.stroke_mm, percent(reach.closure), last_text(reach))});
+    lines.push_back(
+        {fmt::format("With {:.4g} mm of stroke{} the hand closes to {} of its range{}",
+                     *hand.motor.stroke_mm, springs, percent(reach.closure), last_text(reach))});
   }
 }
 

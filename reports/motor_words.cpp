@@ -25,10 +25,16 @@ std::string enough_text(const MotorForce& force, double motor_N) {
                      percent(force.p95_N / motor_N));
 }
 
+// A hand that jams might go on where springs stretch, which no force counts.
+const char* springs_text(const MotorForce& force) {
+  return force.springs ? ", if springs in series do not stretch" : "";
+}
+
 DocumentLine motor_line(const MotorForce& force, const MotorParts& motor) {
   const std::string text =
-      fmt::format("Motor force: {} nominal, {} in 95 % of {} draw{}", force_text(force.nominal_N),
-                  force_text(force.p95_N), force.draws, force.draws == 1 ? "" : "s");
+      fmt::format("Motor force: {} nominal, {} in 95 % of {} draw{}{}", force_text(force.nominal_N),
+                  force_text(force.p95_N), force.draws, force.draws == 1 ? "" : "s",
+                  std::isfinite(force.p95_N) ? "" : springs_text(force));
   if (!motor.force_N) return {text};
   return {text + ". " + enough_text(force, *motor.force_N), !force.is_met_by(*motor.force_N)};
 }
@@ -39,8 +45,7 @@ std::vector<DocumentLine> stroke_lines(const MotorForce& force, const MotorParts
   const bool enough = force.stroke_mm <= *motor.stroke_mm;
   const char* where_enough = force.closure < 1 ? "enough for as far as the hand closes" : "enough";
   return {{fmt::format("The motor's stroke of {:.4g} mm is {}{}: {} of it {} needed",
-                       *motor.stroke_mm, enough ? where_enough : "not enough",
-                       force.springs ? ", if springs in series do not stretch" : "",
+                       *motor.stroke_mm, enough ? where_enough : "not enough", springs_text(force),
                        percent(force.stroke_mm / *motor.stroke_mm), enough ? "is" : "would be"),
            !enough || force.springs}};
 }

@@ -115,7 +115,11 @@ Section ranking_section(const SizingReport& report) {
   return {"Ranked by the goal, sized and before", sized_table(report, false), {}};
 }
 
-std::string off(const std::optional<double>& way) { return way ? short_number(*way) : "any"; }
+// A search that was stopped has looked for no tolerance.
+std::string off(const SizedDesign& design, const std::optional<double>& way) {
+  if (way) return short_number(*way);
+  return design.partial ? "-" : "any";
+}
 
 // If no limit was found for the dimension alone, the end of the trial is a lower bound (≥).
 std::string off_together(double way, const std::optional<double>& alone) {
@@ -169,8 +173,8 @@ std::array<std::string, variable_columns.size()> variable_cells(const SizedDesig
           short_number(about.bounds.high),
           short_number(about.nominal),
           short_number(sized.value),
-          off(of.less),
-          off(of.more),
+          off(design, of.less),
+          off(design, of.more),
           ways != nullptr ? off_together(ways->less, of.less) : "-",
           ways != nullptr ? off_together(ways->more, of.more) : "-",
           stands(design, sized),

@@ -23,8 +23,7 @@ Mechanics without_friction(Mechanics mechanics) {
 
 ShownHandGrasp shown_grasp(const Hand& hand, int fingers, const HandPulls& pulls, Grasp grasp) {
   const GripDemand demand = grip_demand(hand, fingers, pulls, grasp);
-  ShownHandGrasp shown{grasp,           demand.motor_force_N,  0, demand.weakest,
-                       demand.motors_N, demand.stretches_mm_N, {}};
+  ShownHandGrasp shown{grasp, demand.motor_force_N, 0, demand.weakest, demand.motors_N, {}};
   for (int f = 1; f <= fingers; ++f) {
     const HandFinger& finger = hand.finger(f);
     ShownFingerForce force;
@@ -106,28 +105,11 @@ NoPull no_pull(const Network& network, const Mechanics& mechanics, const TendonP
                                                                    : NoPull::blocked;
 }
 
-// Springs in series get the mean of the force that stretches them, half of it.
-void add_stretches(const std::vector<ShownHandGrasp>& grasps, MotorDemand& demand) {
-  MotorArray stretches_mm_N{};
-  for (const ShownHandGrasp& grasp : grasps) {
-    for (std::size_t m = 0; m < max_carriages; ++m) {
-      stretches_mm_N[m] = std::max(stretches_mm_N[m], grasp.stretches_mm_N[m]);
-    }
-  }
-  demand.stretches_mm = spring_stretches(stretches_mm_N, demand.motors_N, demand.closure);
-  for (std::size_t m = 0; m < max_carriages; ++m) {
-    const double stretch_mm = demand.stretches_mm[m];
-    demand.strokes_mm[m] += stretch_mm;
-    if (stretch_mm > 0) demand.springs_J += demand.motors_N[m] * stretch_mm / 2 / mm_in_m;
-  }
-}
-
 void add_motion(const MotorParts& motor, MotorDemand& demand) {
   for (std::size_t m = 0; m < max_carriages; ++m) {
     const double stroke_mm = demand.strokes_mm[m];
     demand.stroke_mm = std::max(demand.stroke_mm, stroke_mm);
-    const double way_mm = stroke_mm - demand.stretches_mm[m] / 2;
-    if (std::isfinite(way_mm)) demand.work_J += demand.motors_N[m] * way_mm / mm_in_m;
+    if (std::isfinite(stroke_mm)) demand.work_J += demand.motors_N[m] * stroke_mm / mm_in_m;
   }
   if (!std::isfinite(demand.stroke_mm)) demand.stroke_mm = 0;
   demand.speed_mm_s = demand.stroke_mm / motor.close_s;
@@ -193,6 +175,7 @@ class HandStudy {
     ShownHand shown;
     shown.motor = hand_.motor;
     shown.motors = carriage_count(network_);
+    shown.springs = !plain_.springs_mm.empty();
     for (const WeightedGrasp& weighted : grasps) {
       shown.grasps.push_back(
           shown_grasp(hand_, network_.fingers, pulls_in(weighted.grasp), weighted.grasp));
@@ -310,9 +293,7 @@ class HandStudy {
         closed[f] = std::min(closed[f], closing.closed[f]);
       }
     }
-    add_stretches(shown.grasps, demand);
     add_motion(hand_.motor, demand);
-    const double in_series_J = demand.springs_J;
     for (int f = 1; f <= network_.fingers; ++f) {
       const HandFinger& finger = hand_.finger(f);
       const double share = closed[static_cast<std::size_t>(f)];
@@ -320,9 +301,8 @@ class HandStudy {
       demand.springs_J += spring_energy(finger, share);
     }
     if (shown.motors > 1) return;
-    const double to_fingers_J = demand.force_N * to_fingers;
-    demand.friction_J = demand.work_J - in_series_J - to_fingers_J;
-    demand.fingers_J = to_fingers_J + in_series_J - demand.springs_J;
+    demand.friction_J = demand.work_J - demand.force_N * to_fingers;
+    demand.fingers_J = demand.force_N * to_fingers - demand.springs_J;
   }
 
   const Hand& hand_;

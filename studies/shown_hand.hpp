@@ -3,11 +3,10 @@
 //   motor force F     least motor tension at which every finger presses with its wanted force in
 //                     every grasp (core/hand.hpp), at the nominal coefficients
 //                     (with several motors, of the one that needs most: motor_force.hpp)
-//   stroke D          of the carriage from the open hand, with the stretch s of springs in series
-//                     (core/hand_closing.hpp)
+//   stroke D          of the carriage from the open hand (core/hand_closing.hpp)
 //   speed             D over the time to close
-//   work, power       Σ F (D − s/2) over the motors, and that over the time to close: at most, if
-//                     the hand closes against F all the way
+//   work, power       Σ F D over the motors, and that over the time to close: at most, if the hand
+//                     closes against F all the way
 //   torque            F times the spool's radius; the spool turns with speed over radius
 //   friction cost     1 − F0 / F, F0 the motor force of the same hand without any friction
 //
@@ -85,8 +84,7 @@ struct ShownHandGrasp {
   double motor_force_N = 0;
   double frictionless_N = 0;
   int weakest = 0;
-  MotorArray motors_N{};        // force of each motor
-  MotorArray stretches_mm_N{};  // HandPulls::stretches_mm_N
+  MotorArray motors_N{};  // force of each motor
   std::vector<ShownFingerForce> fingers;
 };
 
@@ -109,19 +107,18 @@ enum class NoPull : std::uint8_t {
 struct MotorDemand {
   double force_N = 0;
   double frictionless_N = 0;
-  MotorArray motors_N{};      // of each motor
-  MotorArray strokes_mm{};    // likewise; infinite if its carriage is blocked
-  MotorArray stretches_mm{};  // part of it that stretches springs in series
-  int weakest = 0;            // the finger that asks for it,
-  std::size_t joint = 0;      // its joint that does, from 0,
-  Grasp grasp{};              // and the grasp in which it does
-  NoPull no_pull{};           // if it has no pull in that grasp, and force_N is infinite
+  MotorArray motors_N{};    // of each motor
+  MotorArray strokes_mm{};  // likewise; infinite if its carriage is blocked
+  int weakest = 0;          // the finger that asks for it,
+  std::size_t joint = 0;    // its joint that does, from 0,
+  Grasp grasp{};            // and the grasp in which it does
+  NoPull no_pull{};         // if it has no pull in that grasp, and force_N is infinite
   double stroke_mm = 0;
   double closure = 0;
   double speed_mm_s = 0;
   double work_J = 0;
   double power_W = 0;
-  double springs_J = 0;                                          // of the joints, and in series
+  double springs_J = 0;
   double friction_J = std::numeric_limits<double>::quiet_NaN();  // of one motor only
   double fingers_J = std::numeric_limits<double>::quiet_NaN();   // likewise
   std::optional<double> torque_Nm{};
@@ -147,6 +144,7 @@ struct ShownHand {
   MotorDemand demand;
   MotorParts motor;
   int motors = 1;
+  bool springs = false;  // in series with tendons, whose stretch nothing here counts
   // Of several motors each by itself, from the open hand on: the other carriages stand still.
   std::vector<HandClosing> motors_alone{};
   // The motor force with its quantile over draws, where somebody asked for it; its nominal one is

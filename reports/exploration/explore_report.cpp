@@ -165,7 +165,9 @@ std::vector<DocumentLine> limit_lines(const ExploreReport& report) {
   };
   add(Objective::motor_force, motor.force_N, report.motor->nominal_N);
   add(Objective::stroke, motor.stroke_mm, report.motor->stroke_mm);
-  if (!is_missed) return {};
+  const bool is_possible =
+      energy_lines(report.motor->least_work_J, motor, report.motor->motors.size()).empty();
+  if (!is_missed || !is_possible) return {};
   return {{"Designs for this motor alone:" + options}};
 }
 

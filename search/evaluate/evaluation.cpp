@@ -142,7 +142,7 @@ bool DesignEvaluator::evaluates_hand(const EvaluationScope& scope) const {
 }
 
 HandOutcome DesignEvaluator::hand_outcome() {
-  HandOutcome outcome{0, 1, hand_->motor.close_s, {}, {}};
+  HandOutcome outcome{0, 1, hand_->motor.close_s, {}};
   for (const Grasp& open : open_grasps_) {
     if (opens_fingers(network_, mechanics_, open, kinematics_, motion_)) continue;
     const HandClosing closing =
@@ -151,24 +151,10 @@ HandOutcome DesignEvaluator::hand_outcome() {
     for (std::size_t motor = 0; motor < max_carriages; ++motor) {
       double& stroke = outcome.strokes_mm[motor];
       stroke = std::max(stroke, closing.strokes_mm[motor]);
+      outcome.stroke_mm = std::max(outcome.stroke_mm, stroke);
     }
   }
-  add_stretches(outcome);
-  outcome.stroke_mm = std::ranges::max(outcome.strokes_mm);
   return outcome;
-}
-
-void DesignEvaluator::add_stretches(HandOutcome& hand) const {
-  MotorArray stretches_mm_N{};
-  for (const GraspOutcome& grasp : outcome_.grasps) {
-    for (std::size_t motor = 0; motor < max_carriages; ++motor) {
-      stretches_mm_N[motor] = std::max(stretches_mm_N[motor], grasp.grip.stretches_mm_N[motor]);
-    }
-  }
-  hand.stretches_mm = spring_stretches(stretches_mm_N, motor_forces(outcome_), hand.closure);
-  for (std::size_t motor = 0; motor < max_carriages; ++motor) {
-    hand.strokes_mm[motor] += hand.stretches_mm[motor];
-  }
 }
 
 const DesignOutcome& DesignEvaluator::outcome(const Routing& routing,

@@ -48,8 +48,7 @@ double motor_force(const DesignOutcome& design) {
   return -worst(design.grasps, [](const GraspOutcome& g) { return -g.grip.motor_force_N; });
 }
 
-// Upper bound: greatest force over the whole stroke, of all motors together; half of it in mean
-// where springs stretch.
+// Upper bound: greatest force over the whole stroke, of all motors together.
 double motor_power(const DesignOutcome& design) {
   const MotorArray forces = motor_forces(design);
   constexpr double mm_in_m = 1000;
@@ -57,8 +56,7 @@ double motor_power(const DesignOutcome& design) {
   for (std::size_t motor = 0; motor < max_carriages; ++motor) {
     if (!(forces[motor] > 0)) continue;
     if (std::isinf(forces[motor])) return forces[motor];
-    const double way_mm = design.hand.strokes_mm[motor] - design.hand.stretches_mm[motor] / 2;
-    power += forces[motor] * way_mm / mm_in_m / design.hand.close_s;
+    power += forces[motor] * design.hand.strokes_mm[motor] / mm_in_m / design.hand.close_s;
   }
   return power;
 }

@@ -83,8 +83,7 @@ struct HandOutcome {
   double stroke_mm = 0;  // greatest of the motors; infinite if no finger of one can close
   double closure = 0;
   double close_s = 0;
-  MotorArray strokes_mm{};    // of each motor
-  MotorArray stretches_mm{};  // part of it that stretches springs in series
+  MotorArray strokes_mm{};  // of each motor
 };
 
 struct DesignOutcome {

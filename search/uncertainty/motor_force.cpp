@@ -59,8 +59,7 @@ std::optional<MotorForce> motor_force(const Routing& routing, const UncertaintyO
       .ranges = options.ranges,
       .stroke_mm = value(values, Objective::stroke),
       .closure = value(values, Objective::closure),
-      .springs = has_springs(options.nominal.hardware.tendon) &&
-                 (design.hand.closure < 1 || std::ranges::max(motor_forces(design)) == no_force),
+      .springs = has_springs(options.nominal.hardware.tendon),
       .least_work_J = least_work_J(options.nominal.hardware, finger_count(routing), options.grasps),
       .motors = motor_needs(design, carriage_count(routing))};
 }

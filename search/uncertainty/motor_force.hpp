@@ -48,7 +48,7 @@ struct MotorForce {
   UncertaintyRanges ranges{};  // that the draws are of
   double stroke_mm = 0;        // infinite if the carriage cannot move from the open hand
   double closure = 1;          // at that stroke; below 1 if the carriage is then blocked
-  bool springs = false;        // true if the stroke leaves out the stretch of springs in series
+  bool springs = false;        // in series with some tendon, whose stretch the stroke leaves out
   double least_work_J = 0;
   std::vector<MotorNeed> motors{};  // of each motor
 

@@ -96,20 +96,6 @@ TEST(HandSections, SayWhyAFingerHangsOnSlackStrands) {
             since("none", "its tendon is still slack after the whole carriage travel"));
 }
 
-TEST(HandSections, SayWhatPartOfTheStrokeStretchesSprings) {
-  Hardware hardware = hardware_of(60, 2);
-  hardware.tendon = {.EA_N = 20000, .own = {{.tendon = 1, .stiffness_N_mm = 5}}};
-  const Network network = expand(parse_routing("M-1-T-2-F"));
-  const ShownHand hand =
-      *studies::shown_hand(network, "M-1-T-2-F", Model{hardware}, single_grasps(2));
-  Document document;
-  for (const Section& section : reports::hand_sections(hand)) document.add(section);
-  EXPECT_TRUE(testing::has(
-      text(document),
-      fmt::format(" mm/s, {:.4g} mm of it stretch springs in series\n", hand.demand.force_N / 5)))
-      << text(document);
-}
-
 TEST(HandJson, NamesTheLockedEndsAndTravelsOfItsGrasps) {
   const auto grasp_of = [](const std::string& word, const std::string& held) {
     const Network network = expand(parse_routing(word));
