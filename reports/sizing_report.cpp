@@ -118,7 +118,7 @@ Section ranking_section(const SizingReport& report) {
 // A search that was stopped has looked for no tolerance.
 std::string off(const SizedDesign& design, const std::optional<double>& way) {
   if (way) return short_number(*way);
-  return design.partial ? "-" : "any";
+  return design.together ? "any" : "-";
 }
 
 // If no limit was found for the dimension alone, the end of the trial is a lower bound (≥).
