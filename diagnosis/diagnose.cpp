@@ -84,6 +84,7 @@ class Diagnosis {
       check_far_readings();
       begin("comparing groups");
       compare_groups();
+      note_group_apart();
     }
     const auto intervals =
         parameter_intervals(found_.problem, found_.model, found_.mounting_degrees());
@@ -451,6 +452,13 @@ class Diagnosis {
       result_.unexplained = {"group", of.cause + " in " + data_.groups[of.farthest], p_value};
     }
     return least < share;
+  }
+
+  // What a group does by itself may be no difference of a coefficient.
+  void note_group_apart() {
+    const std::optional<GroupApart>& apart = confirmation_->group_apart();
+    if (result_.unexplained || !apart) return;
+    result_.unexplained = {"group", apart->text, resolved(std::exp(-apart->evidence))};
   }
 
   // Also where nothing is named: what groups have in common may be as the hardware says. One model

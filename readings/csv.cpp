@@ -298,6 +298,15 @@ bool is_missing(std::string_view text) {
   return std::any_of(words.begin(), words.end(), [&](const char* word) { return small == word; });
 }
 
+namespace {
+
+// Dates and words are not.
+bool is_of_digits(std::string_view text) {
+  return text.find_first_not_of("0123456789+-eE.,") == std::string_view::npos;
+}
+
+}  // namespace
+
 double CsvNumberReader::read(std::string_view text, std::size_t line, double low, double high,
                              bool may_be_empty) {
   std::string written(text);
@@ -306,6 +315,11 @@ double CsvNumberReader::read(std::string_view text, std::size_t line, double low
   const std::optional<double> number = number_in(written);
   if (with_commas_) require_one_mark(text, number.has_value(), line);
   if (number && *number >= low && *number <= high) return *number;
+  if (!with_commas_ && !number && is_of_digits(text) && text.find(',') != std::string_view::npos) {
+    throw InputError(
+        {.expected = "a decimal point and no other mark; with decimal commas, semicolons between "
+                     "the columns"});
+  }
   if (std::isinf(high) && std::isinf(low)) {
     throw InputError({.expected = "a finite number such as 12.5, or an empty cell"});
   }
@@ -313,12 +327,11 @@ double CsvNumberReader::read(std::string_view text, std::size_t line, double low
                                             may_be_empty ? ", or an empty cell" : "")});
 }
 
-// Dates and words say nothing of the mark; 1.234,5 is a number with both.
+// A number such as 1.234,5 has both marks.
 void CsvNumberReader::require_one_mark(std::string_view text, bool is_number, std::size_t line) {
   const bool comma = text.find(',') != std::string_view::npos;
   const bool point = text.find('.') != std::string_view::npos;
-  const bool is_of_digits = text.find_first_not_of("0123456789+-eE.,") == std::string_view::npos;
-  if (!is_of_digits || !(is_number ? comma || point : comma && point)) return;
+  if (!is_of_digits(text) || !(is_number ? comma || point : comma && point)) return;
   if (comma && comma_line_ == 0) comma_line_ = line;
   if (point && point_line_ == 0) point_line_ = line;
   require_mark_of(*this);

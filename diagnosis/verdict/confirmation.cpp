@@ -52,6 +52,9 @@ std::vector<std::string> Confirmation::remove_the_others() {
   for (std::size_t c = found_.accepted.size(); c-- > 0;) {
     const AcceptedTerm& accepted = found_.accepted[c];
     if (is_of_a_group(accepted)) {
+      if (!group_apart_ || accepted.evidence > group_apart_->evidence) {
+        group_apart_ = GroupApart{what_differs(accepted), accepted.evidence};
+      }
       found_ = without_term(training_, found_, c, options_, workers_);
       continue;
     }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,15 +25,24 @@ std::string what_differs(const AcceptedTerm& accepted);
 // The model without the effects of this name, fitted.
 Model fitted_without(const Problem& seen, Model model, const std::string& name);
 
+// What one group does by itself, by the search on all runs: "gain of T2 in group B".
+struct GroupApart {
+  std::string text;
+  double evidence = 0;
+};
+
 class Confirmation {
  public:
   // All but the folds must outlive it; `found` is what the search on all runs has found.
   Confirmation(const Dataset& training, const Model& nominal, const TermSearchOptions& options,
                std::vector<Fold> folds, Explanation& found, Workers& workers);
 
-  // Removes from what was found what is not confirmed, and what is of one group, which is compared
-  // with the others. Returns the names of the former.
+  // Removes from what was found what is not confirmed, and what is of one group. Returns the names
+  // of the former.
   std::vector<std::string> remove_the_others();
+
+  // Returns the most evident of what was removed since it is of one group.
+  const std::optional<GroupApart>& group_apart() const { return group_apart_; }
 
   const std::vector<Fold>& folds() const { return folds_; }
 
@@ -57,6 +67,7 @@ class Confirmation {
   Explanation& found_;
   Workers& workers_;
   std::vector<std::string> not_confirmed_;
+  std::optional<GroupApart> group_apart_;
   std::map<std::string, Forecast> without_;  // by the name of a cause
 };
 

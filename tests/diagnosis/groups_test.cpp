@@ -101,6 +101,20 @@ TEST(Groups, ThatAreAlikeShowNoDifference) {
   for (const EstimatesByGroup& of : result.by_group) EXPECT_FALSE(of.differs) << of.cause;
 }
 
+// No coefficient differs, but a sensor does.
+TEST(Groups, MayDifferByWhatNoCoefficientSays) {
+  MeasuredData data = by_winch({}, {}, 612);
+  for (Reading& reading : data.readings) {
+    if (reading.group == 1U && reading.tension_N[1]) *reading.tension_N[1] *= 0.9;
+  }
+  const DiagnosisResult result = diagnosed_by_winch(data);
+  EXPECT_EQ(result.verdict, Verdict::unexplained);
+  ASSERT_TRUE(result.unexplained.has_value());
+  EXPECT_EQ(result.unexplained->about, "group");
+  EXPECT_NE(result.unexplained->where.find("gain of T2 in group"), std::string::npos)
+      << result.unexplained->where;
+}
+
 // Each condition is measured twice.
 TEST(Groups, HaveScatterOfTheirOwn) {
   constexpr double quiet = 0.01, loud = 0.05;

@@ -310,26 +310,5 @@ TEST_F(StoreLines, ReadItInTheShell) {
   EXPECT_EQ(std::stod(line.substr(line.find(',') + 1)), most);
 }
 
-TEST_F(StoreLines, ReadItInPython) {
-  const std::vector<std::string> blocks = blocks_of("store.md", "python");
-  ASSERT_EQ(blocks.size(), 1U);
-  const std::string python = python_with("pandas");
-  ASSERT_FALSE(python.empty()) << "this needs python3-pandas, which ./run test installs";
-  const ProcessResult result = run_in(
-      {python, "-c",
-       blocks.front() + "import json\nprint(json.dumps([int(shards['evaluated'][0]), "
-                        "len(archive), float(fewest.max()), int(archive['cost'].count())]))\n"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
-  const Json read = Json::parse(result.out);
-  EXPECT_EQ(read[0], summary_["evaluated"]);
-  EXPECT_GE(read[1], summary_["top"].size());
-  double most = 0;
-  for (const Json& design : summary_["front"]) {
-    most = std::max(most, design["uniformity"]["mean"].get<double>());
-  }
-  EXPECT_EQ(read[2], most);
-  EXPECT_EQ(read[3], 0);  // nobody said what parts cost
-}
-
 }  // namespace
 }  // namespace reeve::testing

@@ -209,7 +209,10 @@ TEST(CsvNumber, HasADecimalPointBetweenCommas) {
   EXPECT_EQ(read(reader, "1.5"), 1.5);
   EXPECT_EQ(read(reader, "+2"), 2);
   EXPECT_EQ(read(reader, "-3e-2"), -0.03);
-  for (const char* text : {"1,5", "x", "1.5 N", "nan", "inf", "1e999", "0x10", "+-1", "--1", "+"}) {
+  EXPECT_EQ(input_error([&] { read(reader, "1,5"); }),
+            "expected a decimal point and no other mark; with decimal commas, semicolons between "
+            "the columns");
+  for (const char* text : {"x", "1.5 N", "nan", "inf", "1e999", "0x10", "+-1", "--1", "+"}) {
     EXPECT_EQ(input_error([&] { read(reader, text); }),
               "expected a finite number such as 12.5, or an empty cell")
         << text;
