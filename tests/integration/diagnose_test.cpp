@@ -62,7 +62,7 @@ TEST(Diagnose, AnswersFirst) {
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
   EXPECT_TRUE(result.out.starts_with(
-      "The friction coefficient of the tubes differs from the nominal one: tube_friction, mu = 0.0898"))
+      "The friction coefficient of the tubes differs from the nominal one: tube_friction, mu = 0.0899"))
       << result.out;
   EXPECT_TRUE(has(result.out, "\nResiduals on 6 held-out runs fall by "));
   EXPECT_TRUE(has(result.out, "\nNo further structure in the residuals (p = "));
