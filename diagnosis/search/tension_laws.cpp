@@ -25,7 +25,7 @@ struct RowTensions {
 };
 
 RowTensions row_tensions(const LawColumns& columns) {
-  // Other friction makes other tensions, for which the proportion holds as well.
+  // Other friction makes other tensions of channels, for which the proportion holds as well.
   constexpr double beyond = 2;
   const Dataset& dataset = columns.dataset();
   const std::vector<Channel>& channels = dataset.data->channels;
@@ -49,7 +49,7 @@ RowTensions row_tensions(const LawColumns& columns) {
     Covariate& of = result.covariates.emplace_back();
     of.kind = c == motor ? causes::CovariateKind::motor : causes::CovariateKind::tension;
     if (c != motor) of.segment = channels[static_cast<std::size_t>(c)].segment;
-    of.seen = {0, beyond * result.tension_N.col(c).maxCoeff()};
+    of.seen = {0, (c == motor ? 1 : beyond) * result.tension_N.col(c).maxCoeff()};
   }
   return result;
 }

@@ -37,7 +37,7 @@ WalkBounds::WalkBounds(const Hardware& hardware, const PartSet& parts, int finge
   sheath_ = law(hardware.sheath);
   constexpr Costs of_most{0, 1e-4, 4e-4, 1.6e-3, 6.4e-3, 0.0256, 0.1, 0.4, 1};
   for (std::size_t i = 0; i < lambdas; ++i) lambda_[i] = of_most[i] * sheath_.decay;
-  const auto bounded = static_cast<std::size_t>(fingers_ - first_bounded_ + 1);
+  const auto bounded = static_cast<std::size_t>(fingers_ - first_bounded_) + 1;
   const auto sides = static_cast<std::size_t>(most_motor_sides()) + 1;
   costs_.resize(sides * (static_cast<std::size_t>(fingers_) + 1) * bounded * sides);
   for (int m = 1; m <= most_motor_sides(); ++m) {
@@ -54,12 +54,13 @@ WalkBounds::Flow WalkBounds::flow(int motor_sides, int held) const {
 }
 
 std::size_t WalkBounds::index(int motor_sides, int held) const {
-  return static_cast<std::size_t>(motor_sides * (fingers_ + 1) + held);
+  return static_cast<std::size_t>(motor_sides) * (static_cast<std::size_t>(fingers_) + 1) +
+         static_cast<std::size_t>(held);
 }
 
 WalkBounds::Costs& WalkBounds::costs(int motor_sides, int held, int finger,
                                      int motor_sides_before) {
-  const auto bounded = static_cast<std::size_t>(fingers_ - first_bounded_ + 1);
+  const auto bounded = static_cast<std::size_t>(fingers_ - first_bounded_) + 1;
   const auto sides = static_cast<std::size_t>(most_motor_sides()) + 1;
   const auto bounded_finger = static_cast<std::size_t>(finger - first_bounded_);
   return costs_[(index(motor_sides, held) * bounded + bounded_finger) * sides +
@@ -168,7 +169,7 @@ void WalkBounds::read(const Walk& walk, int passed) {
 
 // True if both walks have the end, or the finger and the join, that lead to this level.
 bool WalkBounds::has_read(const Walk& walk, int level) const {
-  const auto last = static_cast<std::size_t>(2 * (level - 1));
+  const auto last = 2 * static_cast<std::size_t>(level - 1);
   return walk[last] == walk_[last] && (last == 0 || walk[last - 1] == walk_[last - 1]);
 }
 
