@@ -454,7 +454,7 @@ class Diagnosis {
     return least < share;
   }
 
-  // What a group does by itself may be no difference of a coefficient.
+  // A group may differ by something that is no coefficient.
   void note_group_apart() {
     const std::optional<GroupApart>& apart = confirmation_->group_apart();
     if (result_.unexplained || !apart) return;

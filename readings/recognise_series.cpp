@@ -66,7 +66,7 @@ double load_of(const Reading& reading) {
   return load_N;
 }
 
-// What the rows say one after the other, cut between runs and routings.
+// Returns the values of the rows one after the other, cut between runs and routings.
 template <typename Value>
 std::vector<double> in_a_row(const MeasuredData& data, Value value) {
   std::vector<double> values;

@@ -63,7 +63,7 @@ std::string follows(const causes::Covariate& covariate) {
   return says_when(covariate) ? "when" : covariate_name(covariate);
 }
 
-// What was recorded says something of other files, and when a reading was taken does not: a law of
+// A recorded column says something of other files, and when a reading was taken does not: a law of
 // the one that is hardly less likely takes the place of a law of the other. Returns its evidence.
 double take_recorded(SearchedModel& search, const std::vector<Scored>& ways, std::size_t c,
                      double evidence) {

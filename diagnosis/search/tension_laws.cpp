@@ -30,6 +30,7 @@ RowTensions row_tensions(const LawColumns& columns) {
   const Dataset& dataset = columns.dataset();
   const std::vector<Channel>& channels = dataset.data->channels;
   const auto motor = static_cast<Index>(channels.size());
+  const bool with_motor = motor_is_covariate(columns);
   RowTensions result;
   result.tension_N = MatrixXd::Zero(static_cast<Index>(dataset.cells.size()), motor + 1);
   for (const DatasetRow& row : dataset.rows) {
@@ -41,7 +42,7 @@ RowTensions row_tensions(const LawColumns& columns) {
           .segment(first, size)
           .setConstant(columns.forecast().reading_N[i]);
     }
-    if (row.has_motor_tension && motor_is_covariate(columns)) {
+    if (row.has_motor_tension && with_motor) {
       result.tension_N.col(motor).segment(first, size).setConstant(row.conditions.motor_tension_N);
     }
   }

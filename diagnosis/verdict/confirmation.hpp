@@ -25,7 +25,7 @@ std::string what_differs(const AcceptedTerm& accepted);
 // The model without the effects of this name, fitted.
 Model fitted_without(const Problem& seen, Model model, const std::string& name);
 
-// What one group does by itself, by the search on all runs: "gain of T2 in group B".
+// A group that follows a law of its own, by the search on all runs: "gain of T2 in group B".
 struct GroupApart {
   std::string text;
   double evidence = 0;

@@ -13,9 +13,9 @@
 //
 //   efficiency <= E − F / M.
 //
-// Of the rest of the tendon, F − λM in units of the tension between both is at least the least that
-// any rest has: a recursion over its fingers from the last one. E − λ is a bound if F − λM of both
-// together is not below 0. It is concave in λ, so that a chord between two λ bounds it, too.
+// The rest of the tendon has, in units of the tension between both, an F − λM of at least the least
+// that any rest has: a recursion over its fingers from the last one. E − λ is a bound if F − λM of
+// both together is not below 0. It is concave in λ, so that a chord between two λ bounds it, too.
 //
 // Beside other tendons, whose motor tension is at most M' for a take-up that adds up to m, each
 // millimetre of tension counts as M'/m of motor tension.
@@ -71,7 +71,7 @@ class WalkBounds {
     int slip_behind(int finger, int motor_sides_before) const;
   };
 
-  // What is known of a beginning, in units of the tension at its end.
+  // Bounds on a beginning, in units of the tension at its end.
   struct Beginning {
     double least = 0;  // of the strands; at most
     double most = 0;   // at least
