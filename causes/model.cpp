@@ -103,7 +103,7 @@ std::vector<std::size_t> seized_contacts(const Model& model, const std::string& 
 
 bool belongs_to_designs(const Effect& effect) {
   const Term* term = term_of(*effect.cause);
-  if (term != nullptr && !(term->site.run.empty() && term->site.group.empty())) return false;
+  if (term != nullptr && !(term->site.runs.empty() && term->site.group.empty())) return false;
   const Reach reach = effect.cause->reach();
   return reach != Reach::reading && reach != Reach::grasp && reach != Reach::motor;
 }

@@ -60,13 +60,15 @@ std::vector<std::string> routings_of(const Survey& survey) {
   return words;
 }
 
-bool has_run(const std::string& run, const Survey& survey) {
-  const auto number = whole_number_in(run);
-  return number && *number >= 1 && static_cast<std::size_t>(*number) <= survey.runs;
+bool has_runs(const std::vector<std::string>& runs, const Survey& survey) {
+  return std::ranges::all_of(runs, [&](const std::string& run) {
+    const auto number = whole_number_in(run);
+    return number && *number >= 1 && static_cast<std::size_t>(*number) <= survey.runs;
+  });
 }
 
 bool has_site(const Site& site, const Survey& survey) {
-  if (!site.group.empty() || (!site.run.empty() && !has_run(site.run, survey))) return false;
+  if (!site.group.empty() || !has_runs(site.runs, survey)) return false;
   if (site.place == SitePlace::channel) {
     return std::ranges::find(survey.channels, site.channel) != survey.channels.end();
   }

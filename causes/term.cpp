@@ -337,9 +337,10 @@ bool acts_on(const Site& site, const ContactLoad& contact) {
 }
 
 bool acts_in(const Site& site, const Conditions& conditions) {
-  if (site.run.empty() && site.group.empty()) return true;
+  if (site.runs.empty() && site.group.empty()) return true;
   if (!conditions.record) return false;
-  return (site.run.empty() || conditions.record->run == site.run) &&
+  const std::vector<std::string>& runs = site.runs;
+  return (runs.empty() || std::ranges::find(runs, conditions.record->run) != runs.end()) &&
          (site.group.empty() || conditions.record->group == site.group);
 }
 

@@ -49,7 +49,7 @@ struct Site {
   std::string routing{};                 // contacts, in this word
   std::optional<std::size_t> number{};   // contacts: that of the kind in the routing, from 0
   Segment channel{};                     // channel
-  std::string run{};                     // in this one only
+  std::vector<std::string> runs{};       // in these only
   std::string group{};                   // in this one only
 
   auto operator<=>(const Site&) const = default;
@@ -122,7 +122,7 @@ double covariate_value(const Covariate& covariate, const Conditions& conditions,
 bool acts_on(const Site& site, ContactKind kind);
 bool acts_on(const Site& site, const ContactLoad& contact);
 bool acts_in(const Site& site, Direction direction);
-// In this run and group.
+// In one of these runs, and in this group.
 bool acts_in(const Site& site, const Conditions& conditions);
 
 // "sheath", "tube and sheath of finger 1", "T3 in release", "motor", "all channels"

@@ -55,6 +55,8 @@ bool means_another(const std::string& column) {
 
 constexpr std::string_view and_sheath = " and sheath";
 constexpr std::string_view run_mark = " in run ";
+constexpr std::string_view runs_mark = " in runs ";
+constexpr std::string_view between_runs = ", ";
 constexpr std::string_view group_mark = " in group ";
 
 // The text of site_name, read from its beginning.
@@ -63,17 +65,30 @@ class SiteReader {
   explicit SiteReader(std::string_view text) : rest_(text) {}
 
   std::optional<Site> site() {
-    split_off_run_and_group();
+    split_off_runs_and_group();
     if (!read_place() || !rest_.empty()) return std::nullopt;
     return site_;
   }
 
  private:
-  // If both are there, the run stands first. A name may itself contain such words.
-  void split_off_run_and_group() {
-    const bool has_run = rest_.find(run_mark) < rest_.find(group_mark);
-    site_.group = split_off(has_run ? rest_.rfind(group_mark) : rest_.find(group_mark), group_mark);
-    if (has_run) site_.run = split_off(rest_.find(run_mark), run_mark);
+  // If both are there, the runs stand first. A name may itself contain such words.
+  void split_off_runs_and_group() {
+    const std::size_t one = rest_.find(run_mark);
+    const std::size_t more = rest_.find(runs_mark);
+    const bool has_runs = std::min(one, more) < rest_.find(group_mark);
+    site_.group =
+        split_off(has_runs ? rest_.rfind(group_mark) : rest_.find(group_mark), group_mark);
+    if (!has_runs) return;
+    std::string names = split_off(std::min(one, more), one < more ? run_mark : runs_mark);
+    if (one < more) {
+      site_.runs = {std::move(names)};
+      return;
+    }
+    for (std::size_t end = 0; end != std::string::npos;) {
+      end = names.find(between_runs);
+      site_.runs.push_back(names.substr(0, end));
+      names.erase(0, end + between_runs.size());
+    }
   }
 
   // Cuts the text off at the mark and returns what stands behind it; "" if there is no mark.
@@ -257,7 +272,8 @@ std::string site_name(const Site& site) {
   }
   if (site.direction) name += *site.direction == Direction::pull ? " in pull" : " in release";
   if (!site.routing.empty()) name += fmt::format(" of {}", site.routing);
-  if (!site.run.empty()) name.append(run_mark).append(site.run);
+  if (!site.runs.empty()) name.append(site.runs.size() == 1 ? run_mark : runs_mark);
+  name += fmt::format("{}", fmt::join(site.runs, between_runs));
   if (!site.group.empty()) name.append(group_mark).append(site.group);
   return name;
 }

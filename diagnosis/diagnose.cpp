@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "causes/term.hpp"
 #include "core/error.hpp"
 #include "diagnosis/chosen_readings.hpp"
 #include "diagnosis/diagnosis_result.hpp"
@@ -50,6 +51,11 @@ void require_terms_to_show(const std::vector<Effect>& terms, const Dataset& read
   }
 }
 
+bool is_of_a_group(const Effect& effect) {
+  const causes::Term* term = causes::term_of(*effect.cause);
+  return term != nullptr && !term->site.group.empty();
+}
+
 // A cause with two parameters and noise that nothing else tells would leave six.
 constexpr double too_few_degrees = 8;
 
@@ -84,7 +90,6 @@ class Diagnosis {
       check_far_readings();
       begin("comparing groups");
       compare_groups();
-      note_group_apart();
     }
     const auto intervals =
         parameter_intervals(found_.problem, found_.model, found_.mounting_degrees());
@@ -209,7 +214,7 @@ class Diagnosis {
     std::vector<Effect> terms;
     for (const NamedWithOthers& each : named) terms.push_back(each.cause.effect);
     std::vector<Effect> apart;
-    for (const RunApart& run : result_.apart) apart.push_back(run.effect);
+    for (const RunsApart& runs : result_.apart) apart.push_back(runs.effect);
     const ExplainedResiduals by =
         explained_residuals(sample_, found_.problem, nominal_, result_.model, terms, apart);
     result_.residual_before_N = by.before_N;
@@ -239,8 +244,8 @@ class Diagnosis {
   }
 
   void take_over(const AcceptedTerm& accepted, std::vector<NamedWithOthers>& named) {
-    if (const std::string run = run_apart(accepted); !run.empty()) {
-      result_.apart.push_back({run, accepted.effect, accepted.evidence, what_differs(accepted)});
+    if (const auto runs = runs_apart(accepted); !runs.empty()) {
+      result_.apart.push_back({runs, accepted.effect, accepted.evidence, what_differs(accepted)});
       result_.model = without(result_.model, place(result_.model, accepted.effect));
       return;
     }
@@ -425,9 +430,8 @@ class Diagnosis {
 
   void note_runs_apart() {
     if (result_.apart.empty() || result_.unexplained) return;
-    const RunApart& first = result_.apart.front();
-    result_.unexplained = {"run", "run " + first.run + ": " + first.text,
-                           resolved(std::exp(-first.evidence))};
+    const RunsApart& first = result_.apart.front();
+    result_.unexplained = {"run", first.text, resolved(std::exp(-first.evidence))};
   }
 
   std::vector<std::size_t> readings_used() const {
@@ -439,55 +443,22 @@ class Diagnosis {
     return readings;
   }
 
-  // True if some coefficient or cause differs between the groups.
-  bool groups_differ(const Model& model) {
-    result_.by_group = estimates_by_group(data_, readings_used(), model, found_.scatter,
+  // A difference that a term of one group states is explained by it. The sizes are told without
+  // it, each group's own beside the others'.
+  void compare_groups() {
+    Model alike = found_.model.effects.empty() ? found_.base : found_.model;
+    const std::size_t terms = alike.effects.size();
+    std::erase_if(alike.effects, is_of_a_group);
+    result_.by_group = estimates_by_group(data_, readings_used(), alike, found_.scatter,
                                           found_.mounting_degrees(), options_.alpha, workers_);
-    const double share = structure_share_of_alpha * options_.alpha;
-    double least = share;
+    if (result_.unexplained || alike.effects.size() < terms) return;
+    double least = structure_share_of_alpha * options_.alpha;
     for (const EstimatesByGroup& of : result_.by_group) {
       const double p_value = resolved(of.p_value);
       if (p_value >= least) continue;
       least = p_value;
       result_.unexplained = {"group", of.cause + " in " + data_.groups[of.farthest], p_value};
     }
-    return least < share;
-  }
-
-  // A group may differ by something that is no coefficient.
-  void note_group_apart() {
-    const std::optional<GroupApart>& apart = confirmation_->group_apart();
-    if (result_.unexplained || !apart) return;
-    result_.unexplained = {"group", apart->text, resolved(std::exp(-apart->evidence))};
-  }
-
-  // Also where nothing is named: what groups have in common may be as the hardware says. One model
-  // of all groups explains none that differs from the others.
-  void compare_groups() {
-    const bool found_some = !found_.model.effects.empty();
-    if (!groups_differ(found_some ? found_.model : found_.base)) return;
-    if (found_some) {
-      groups_differ(found_.base);
-      result_.notes.push_back(
-          {NoteKind::groups_differ,
-           "no cause is named for groups that differ, though some were found in all of them "
-           "together: each group by itself may tell",
-           {}});
-    }
-    name_nothing_of_all_groups();
-  }
-
-  // A cause found in all groups together may stand in for the difference between them: a drift, if
-  // they follow each other.
-  void name_nothing_of_all_groups() {
-    result_.causes.clear();
-    result_.held_out.reset();
-    result_.run_gains.clear();
-    result_.weighed.clear();
-    result_.row_scatter.reset();
-    result_.indistinguishable.clear();
-    alias_models_.clear();
-    result_.model = found_.base;
   }
 
   // After every decision: it says what each run contributed to it.

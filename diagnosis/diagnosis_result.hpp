@@ -75,9 +75,9 @@ struct NamedCause {
   std::optional<RunnerUp> runner_up{};
 };
 
-// A run that does something by itself: a law of that run alone, which no model keeps.
-struct RunApart {
-  std::string run;
+// Runs that do something by themselves: a law of theirs alone, which no model keeps.
+struct RunsApart {
+  std::vector<std::string> runs;
   Effect effect;
   double evidence = 0;
   std::string text;  // what differs there, or might as well: "gain of T1 in run 3"
@@ -111,7 +111,7 @@ struct DiagnosisResult : SampleCounts {
   double residual_after_N = 0;
   std::optional<HeldOut> held_out;  // all causes over none
   std::vector<CalibratedCoefficient> calibration;
-  std::vector<RunApart> apart;
+  std::vector<RunsApart> apart;
   // Found in all readings, but not in most folds, or no gain on the runs that these have not seen.
   std::vector<std::string> not_confirmed;
   std::size_t folds = 0;

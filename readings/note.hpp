@@ -35,7 +35,6 @@ enum class NoteKind : std::uint8_t {
   clock,                   // time series: the clock is set back (steady_readings.hpp)
   no_direction,            // time series: the motion may be a pull or a release
   no_motion,               // time series: nothing says when the carriage moves
-  groups_differ,           // a finding for all groups together that does not hold for each
   runs_of_groups,          // runs of one name in several groups
   outlier_forecast,        // held-out readings that the model is far from (outlier_forecasts.hpp)
   other_direction,         // rows that read as the other direction (model_doubts.hpp)
@@ -72,7 +71,6 @@ inline const char* note_kind_name(NoteKind kind) {
                              "clock",
                              "no_direction",
                              "no_motion",
-                             "groups_differ",
                              "runs_of_groups",
                              "far_forecast",
                              "other_direction",

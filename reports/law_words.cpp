@@ -105,8 +105,8 @@ std::string law_meaning(const Term& term, const std::vector<double>& values) {
   const std::string x = covariate_words(term.x);
   switch (term.form) {
     case Form::constant:
-      return fmt::format("{} is {} than in the nominal model", about,
-                         greater_or_smaller(values[0]));
+      return fmt::format("{} is {} than in {}", about, greater_or_smaller(values[0]),
+                         term.site.group.empty() ? "the nominal model" : "other groups");
     case Form::step:
       return fmt::format("{} is {} where {} is above {:.4g}", about, greater_or_smaller(values[0]),
                          x, values[1]);

@@ -427,8 +427,8 @@ Diagnosed diagnosed(const Rig& rig, const DiagnoseOptions& options) {
       has_other = true;
     }
   }
-  for (const RunApart& apart : result.apart) {
-    const std::string name = "apart " + apart.run;
+  for (const RunsApart& apart : result.apart) {
+    const std::string name = fmt::format("apart {}", fmt::join(apart.runs, " "));
     said.push_back(name);
     (is_one_of({name}, rig.truth) ? has_truth : has_other) = true;
   }

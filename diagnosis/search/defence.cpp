@@ -1,5 +1,6 @@
 #include "diagnosis/search/defence.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -58,6 +59,16 @@ bool is_a_law_of_its_name(const SearchedModel& search, const Scored& way, const 
   return apart_N.cwiseQuotient(search.now.likelihood.problem.deviation_N).norm() <= same;
 }
 
+// Where all groups differ, the one that the others are compared with could be any.
+bool compares_with_another_group(const SearchedModel& search, const Effect& way,
+                                 const Effect& accepted) {
+  const auto differing = std::ranges::count_if(search.accepted, [&](const AcceptedTerm& other) {
+    return differ_in_group(other.effect, way);
+  });
+  return differ_in_group(way, accepted) &&
+         static_cast<std::size_t>(differing) + 1 == search.dataset.data->groups.size();
+}
+
 // The place in the file and the number of the run both say when a reading was taken.
 std::string follows(const causes::Covariate& covariate) {
   return says_when(covariate) ? "when" : covariate_name(covariate);
@@ -109,6 +120,16 @@ bool is_kin(const Effect& a, const Effect& b) {
          (follows(x->x) == follows(y->x) && follows(x->y) == follows(y->y));
 }
 
+bool differ_in_group(const Effect& a, const Effect& b) {
+  const Term* x = term_of(*a.cause);
+  const Term* y = term_of(*b.cause);
+  if (x == nullptr || y == nullptr) return false;
+  if (x->site.group.empty() || y->site.group.empty()) return false;
+  Term of_its_group = *y;
+  of_its_group.site.group = x->site.group;
+  return of_its_group == *x;
+}
+
 void drop_superfluous(SearchedModel& search) {
   for (std::size_t c = 0; c < search.accepted.size();) {
     Scored less = search.without_term(c);
@@ -148,7 +169,8 @@ void defend(SearchedModel& search, const Vocabulary& words, std::size_t c) {
     const double deficit = evidence - way.evidence;
     if (!(deficit < least_evidence)) break;
     if (same_effect(way.term.effect, accepted.effect) || is_kin(way.term.effect, accepted.effect) ||
-        is_a_law_of_its_name(search, way, accepted.effect)) {
+        is_a_law_of_its_name(search, way, accepted.effect) ||
+        compares_with_another_group(search, way.term.effect, accepted.effect)) {
       continue;
     }
     odds += std::exp(-deficit);

@@ -18,6 +18,9 @@ namespace reeve::diagnosis {
 // in the file and the number of the run are one: when a reading was taken.
 bool is_kin(const Effect& a, const Effect& b);
 
+// True if two laws are alike but for the groups that they are of.
+bool differ_in_group(const Effect& a, const Effect& b);
+
 // Drops the terms without which the model is hardly less likely.
 void drop_superfluous(SearchedModel& search);
 

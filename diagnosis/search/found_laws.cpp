@@ -27,6 +27,12 @@ What kind_of(Form form) {
   return form == Form::linear || form == Form::log ? What::straight : What::bent;
 }
 
+double log_choose(std::size_t of, std::size_t chosen) {
+  const auto n = static_cast<double>(of);
+  const auto k = static_cast<double>(chosen);
+  return std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1);
+}
+
 Covariate as_factor(Covariate x, bool is_logarithmic) {
   x.logarithmic = is_logarithmic;
   return x;
@@ -74,10 +80,17 @@ LeverLaw FoundLaws::law(std::size_t l, const RowLaw& of) const {
   return law;
 }
 
-LeverLaw FoundLaws::law_of_part(std::size_t l, std::size_t parts, bool is_run) const {
+LeverLaw FoundLaws::law_of_group(std::size_t l, std::size_t groups) const {
   LeverLaw result = law(l, {});
   result.kind.what = What::of_part;
-  result.price += std::log(static_cast<double>(parts)) + (is_run ? price_of_apart : 0);
+  result.price += std::log(static_cast<double>(groups));
+  return result;
+}
+
+LeverLaw FoundLaws::law_of_runs(std::size_t l, std::size_t size, std::size_t runs) const {
+  LeverLaw result = law(l, {});
+  result.kind.what = What::of_part;
+  result.price += price_of_apart + log_choose(runs, size);
   return result;
 }
 

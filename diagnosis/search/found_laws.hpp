@@ -1,7 +1,8 @@
 // Laws that gain, and the price of their description. The evidence of a law is its gain less
 // ln(n)/2 for each of its parameters less its price, in nats: the logarithm of how many such sites
 // and covariates there are, and more for bent laws, for the place of a reading in the file, and for
-// what one run does by itself.
+// what some
+// runs do by themselves.
 #pragma once
 
 #include <compare>
@@ -41,8 +42,10 @@ class FoundLaws {
   explicit FoundLaws(const LawColumns& columns);
 
   LeverLaw law(std::size_t lever, const RowLaw& of) const;
-  // The constant that one of so many runs or groups has by itself.
-  LeverLaw law_of_part(std::size_t lever, std::size_t parts, bool is_run) const;
+  // The constant that one of so many groups has by itself.
+  LeverLaw law_of_group(std::size_t lever, std::size_t groups) const;
+  // The constant that so many of all runs have in common, whichever they are.
+  LeverLaw law_of_runs(std::size_t lever, std::size_t size, std::size_t runs) const;
   // An offset in proportion to the n-th of so many tensions.
   LeverLaw law_of_tension(std::size_t lever, const Covariate& tension, std::size_t n,
                           std::size_t tensions) const;

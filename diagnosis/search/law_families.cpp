@@ -1,7 +1,9 @@
 #include "diagnosis/search/law_families.hpp"
 
+#include <algorithm>
 #include <map>
-#include <string>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace reeve::diagnosis {
@@ -12,41 +14,116 @@ using Eigen::MatrixXd;
 
 constexpr std::size_t few_groups = 2;
 
-// Cells of each run or each group, by its name.
+// Cells of each run or each group.
 using Parts = std::map<std::size_t, std::vector<Index>>;
 
-void screen(const LawColumns& columns, const Parts& parts, const std::vector<std::string>& names,
-            std::string Site::*restricted, FoundLaws& found) {
+// A column for each part: 1 in its cells.
+MatrixXd indicators(const LawColumns& columns, const Parts& parts) {
   MatrixXd values = MatrixXd::Zero(static_cast<Index>(columns.dataset().cells.size()),
                                    static_cast<Index>(parts.size()));
   Index own = 0;
   for (const auto& [part, cells] : parts) values.col(own++)(cells).setOnes();
+  return values;
+}
+
+void screen_groups(const LawColumns& columns, Parts groups, FoundLaws& found) {
+  if (groups.size() < few_groups) return;
+  // What one of two groups has more, the other has less.
+  if (groups.size() == 2) groups.erase(groups.begin());
+  const MatrixXd values = indicators(columns, groups);
   for (std::size_t l = 0; l < columns.table().levers.size(); ++l) {
     if (!columns.is_whole(l)) continue;
     const MatrixXd seen = columns.columns(columns.lever(l), values);
-    own = 0;
-    for (const auto& [part, cells] : parts) {
+    Index own = 0;
+    for (const auto& [group, cells] : groups) {
       const LawFamily of = columns.family(seen, {own++});
-      if (!(of.gain > 0)) continue;
-      LeverLaw law = found.law_of_part(l, parts.size(), restricted == &Site::run);
-      law.term.site.*restricted = names[part];
-      found.keep(law, of.gain, {of.size[0]});
+      LeverLaw law = found.law_of_group(l, groups.size());
+      law.term.site.group = columns.dataset().data->groups[group];
+      if (of.gain > 0) found.keep(law, of.gain, {of.size[0]});
     }
   }
 }
+
+// A run, and what a lever does there alone.
+struct RunChange {
+  std::size_t run = 0;
+  Index column = 0;
+  double size = 0;
+};
+
+class RunScreen {
+ public:
+  RunScreen(const LawColumns& columns, const Parts& runs, FoundLaws& found)
+      : columns_(columns), runs_(runs), found_(found), values_(indicators(columns, runs)) {}
+
+  // The likeliest runs that have one change in common are those whose own are at one end of all.
+  void screen(std::size_t lever) {
+    const MatrixXd seen = columns_.columns(columns_.lever(lever), values_);
+    std::vector<RunChange> changes = own_changes(lever, seen);
+    std::ranges::stable_sort(changes, {}, &RunChange::size);
+    keep_from_the_first(lever, seen, changes);
+    std::ranges::reverse(changes);
+    keep_from_the_first(lever, seen, changes);
+  }
+
+ private:
+  std::vector<RunChange> own_changes(std::size_t lever, const MatrixXd& seen) {
+    std::vector<RunChange> changes;
+    Index column = 0;
+    for (const auto& [run, cells] : runs_) {
+      const LawFamily of = columns_.family(seen, {column});
+      if (of.gain > 0) {
+        changes.push_back({run, column, of.size[0]});
+        keep(lever, of, {run});
+      }
+      ++column;
+    }
+    return changes;
+  }
+
+  // Most of the runs are none that stand apart.
+  void keep_from_the_first(std::size_t lever, const MatrixXd& seen,
+                           const std::vector<RunChange>& changes) {
+    MatrixXd together = MatrixXd::Zero(seen.rows(), 1);
+    std::vector<std::size_t> runs;
+    for (const RunChange& change : std::span(changes).first(changes.size() / 2)) {
+      together += seen.col(change.column);
+      runs.push_back(change.run);
+      if (runs.size() > 1) keep(lever, columns_.family(together, {0}), runs);
+    }
+  }
+
+  void keep(std::size_t lever, const LawFamily& of, std::vector<std::size_t> runs) {
+    if (!(of.gain > 0)) return;
+    LeverLaw law = found_.law_of_runs(lever, runs.size(), runs_.size());
+    std::ranges::sort(runs);
+    for (const std::size_t run : runs) {
+      law.term.site.runs.push_back(columns_.dataset().data->runs[run]);
+    }
+    found_.keep(law, of.gain, {of.size[0]});
+  }
+
+  const LawColumns& columns_;
+  const Parts& runs_;
+  FoundLaws& found_;
+  MatrixXd values_;
+};
 
 }  // namespace
 
 void screen_parts(const LawColumns& columns, FoundLaws& found) {
   Parts runs, groups;
-  const MeasuredData& data = *columns.dataset().data;
   for (std::size_t i = 0; i < columns.dataset().cells.size(); ++i) {
-    const Reading& reading = data.readings[columns.dataset().cells[i].reading];
+    const Reading& reading = columns.dataset().data->readings[columns.dataset().cells[i].reading];
     runs[reading.run].push_back(static_cast<Index>(i));
     if (reading.group) groups[*reading.group].push_back(static_cast<Index>(i));
   }
-  if (runs.size() >= few_runs) screen(columns, runs, data.runs, &Site::run, found);
-  if (groups.size() >= few_groups) screen(columns, groups, data.groups, &Site::group, found);
+  screen_groups(columns, std::move(groups), found);
+  if (runs.size() < few_runs) return;
+  RunScreen of_runs(columns, runs, found);
+  for (std::size_t l = 0; l < columns.table().levers.size(); ++l) {
+    if (columns.is_whole(l)) of_runs.screen(l);
+  }
 }
 
 std::vector<ScreenedLaw> best_laws(const LawTable& table, const Problem& problem,

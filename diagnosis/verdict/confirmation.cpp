@@ -7,18 +7,9 @@
 #include "causes/term.hpp"
 
 namespace reeve::diagnosis {
-namespace {
-
-bool is_of_a_group(const AcceptedTerm& accepted) {
+std::vector<std::string> runs_apart(const AcceptedTerm& accepted) {
   const Term* term = term_of(*accepted.effect.cause);
-  return term != nullptr && !term->site.group.empty();
-}
-
-}  // namespace
-
-std::string run_apart(const AcceptedTerm& accepted) {
-  const Term* term = term_of(*accepted.effect.cause);
-  return term == nullptr ? "" : term->site.run;
+  return term == nullptr ? std::vector<std::string>() : term->site.runs;
 }
 
 std::string what_differs(const AcceptedTerm& accepted) {
@@ -51,19 +42,12 @@ std::vector<std::string> Confirmation::remove_the_others() {
   }
   for (std::size_t c = found_.accepted.size(); c-- > 0;) {
     const AcceptedTerm& accepted = found_.accepted[c];
-    if (is_of_a_group(accepted)) {
-      if (!group_apart_ || accepted.evidence > group_apart_->evidence) {
-        group_apart_ = GroupApart{what_differs(accepted), accepted.evidence};
-      }
-      found_ = without_term(training_, found_, c, options_, workers_);
-      continue;
-    }
     if (accepted.folds.value_or(1) <= most || stands_at_an_end(accepted)) drop(c);
   }
   if (folds_.empty()) return not_confirmed_;
   keep_what_is_named();
   for (std::size_t c = found_.accepted.size(); c-- > 0;) {
-    if (!run_apart(found_.accepted[c]).empty()) continue;
+    if (!runs_apart(found_.accepted[c]).empty()) continue;
     const Forecast less = without(effect_name(found_.accepted[c].effect));
     if (is_worse_on_unseen_runs(less, less)) drop(c);
   }
@@ -74,7 +58,7 @@ std::vector<std::string> Confirmation::remove_the_others() {
 
 bool Confirmation::lose_on_unseen_runs() const {
   const bool forecasts = std::ranges::any_of(
-      found_.accepted, [](const AcceptedTerm& of) { return run_apart(of).empty(); });
+      found_.accepted, [](const AcceptedTerm& of) { return runs_apart(of).empty(); });
   return forecasts && is_worse_on_unseen_runs(joined(folds_, training_, &Fold::base),
                                               joined(folds_, training_, &Fold::nominal));
 }
@@ -183,8 +167,10 @@ Forecast Confirmation::beside_runs_apart(Forecast at) const {
   for (std::size_t i = 0; i < training_.cells.size(); ++i) {
     const Cell& cell = training_.cells[i];
     const std::string& run = data.runs[data.readings[cell.reading].run];
-    const bool is_apart = std::ranges::any_of(
-        found_.accepted, [&](const AcceptedTerm& of) { return run_apart(of) == run; });
+    const bool is_apart = std::ranges::any_of(found_.accepted, [&](const AcceptedTerm& of) {
+      const std::vector<std::string> apart = runs_apart(of);
+      return std::ranges::find(apart, run) != apart.end();
+    });
     if (is_apart) at.reading_N[static_cast<Eigen::Index>(i)] = cell.measured_N;
   }
   return at;

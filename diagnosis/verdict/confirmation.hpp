@@ -8,7 +8,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +15,8 @@
 
 namespace reeve::diagnosis {
 
-// The run that a term is about by itself; empty of what is about more than one.
-std::string run_apart(const AcceptedTerm& accepted);
+// The runs that a term is about alone; none of what is about all.
+std::vector<std::string> runs_apart(const AcceptedTerm& accepted);
 // "gain of motor in run 3, or exponent of sheath in run 3": the term, and what might as well be in
 // its place.
 std::string what_differs(const AcceptedTerm& accepted);
@@ -25,24 +24,14 @@ std::string what_differs(const AcceptedTerm& accepted);
 // The model without the effects of this name, fitted.
 Model fitted_without(const Problem& seen, Model model, const std::string& name);
 
-// A group that follows a law of its own, by the search on all runs: "gain of T2 in group B".
-struct GroupApart {
-  std::string text;
-  double evidence = 0;
-};
-
 class Confirmation {
  public:
   // All but the folds must outlive it; `found` is what the search on all runs has found.
   Confirmation(const Dataset& training, const Model& nominal, const TermSearchOptions& options,
                std::vector<Fold> folds, Explanation& found, Workers& workers);
 
-  // Removes from what was found what is not confirmed, and what is of one group. Returns the names
-  // of the former.
+  // Removes from what was found what is not confirmed. Returns the names.
   std::vector<std::string> remove_the_others();
-
-  // Returns the most evident of what was removed since it is of one group.
-  const std::optional<GroupApart>& group_apart() const { return group_apart_; }
 
   const std::vector<Fold>& folds() const { return folds_; }
 
@@ -67,7 +56,6 @@ class Confirmation {
   Explanation& found_;
   Workers& workers_;
   std::vector<std::string> not_confirmed_;
-  std::optional<GroupApart> group_apart_;
   std::map<std::string, Forecast> without_;  // by the name of a cause
 };
 

@@ -68,6 +68,7 @@ std::vector<Fold> cross_validated(const MeasuredData& data,
 bool stands_for(const Effect& found, const AcceptedTerm& cause) {
   const std::string name = effect_name(found);
   return name == effect_name(cause.effect) || is_kin(found, cause.effect) ||
+         differ_in_group(found, cause.effect) ||
          std::ranges::any_of(cause.alternatives,
                              [&](const Alternative& other) { return other.name() == name; });
 }

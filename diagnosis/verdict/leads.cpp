@@ -39,7 +39,7 @@ bool is_of_one_place(const Effect& effect) {
   const Term* term = causes::term_of(*effect.cause);
   if (term == nullptr) return false;
   const Site& site = term->site;
-  return !site.run.empty() || site.place == SitePlace::channel || site.number.has_value();
+  return !site.runs.empty() || site.place == SitePlace::channel || site.number.has_value();
 }
 
 std::vector<Lead> leads(const Sample& sample, const Problem& problem, const Model& model,

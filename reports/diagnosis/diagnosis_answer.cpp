@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "causes/term.hpp"
 #include "diagnosis/fit/evidence.hpp"
 #include "reports/data_text.hpp"
 #include "reports/diagnosis/diagnosis_evidence.hpp"
@@ -218,25 +219,10 @@ std::string rows_line(const DiagnosisResult& result) {
   return result.row_scatter ? row_sentence(result) + "\n" : "";
 }
 
-// Root of the mean squared residual in this run, and in all others.
-std::string size_in_run(const DiagnosisReport& report, const std::string& run) {
-  double squares[2] = {0, 0};
-  double counts[2] = {0, 0};
-  for (const ComparedCell& cell : report.result.cells) {
-    const Reading& reading = report.data.readings[cell.cell.reading];
-    const std::size_t other = report.data.runs[reading.run] == run ? 0 : 1;
-    squares[other] += std::pow(cell.cell.measured_N - cell.after_N, 2);
-    counts[other] += 1;
-  }
-  if (counts[0] == 0 || counts[1] == 0) return "";
-  return fmt::format("residuals of {} there, {} in other runs; ",
-                     newton(std::sqrt(squares[0] / counts[0])),
-                     newton(std::sqrt(squares[1] / counts[1])));
-}
-
 std::string size_of(const DiagnosisReport& report, const Unexplained& left) {
   if (left.about == "run" && !report.result.apart.empty()) {
-    return size_in_run(report, report.result.apart.front().run);
+    const Effect& effect = report.result.apart.front().effect;
+    return causes::formula(*causes::term_of(*effect.cause), effect.values) + "; ";
   }
   for (const StructureFinding& finding : report.result.structure) {
     if (finding.about != left.about) continue;

@@ -302,8 +302,8 @@ void add_evidence(Json& json, const DiagnosisReport& report) {
   json["noise_limit"] = value_or_null(result.noise_limit, noise_limit_json);
   json["not_confirmed"] = result.not_confirmed;
   json["folds"] = result.folds;
-  json["apart"] = list_json(result.apart, [](const RunApart& apart) {
-    return Json{{"run", apart.run},
+  json["apart"] = list_json(result.apart, [](const RunsApart& apart) {
+    return Json{{"runs", apart.runs},
                 {"text", apart.text},
                 {"size", number(apart.effect.values.front())},
                 {"evidence", number(apart.evidence)}};

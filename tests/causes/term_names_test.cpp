@@ -30,7 +30,7 @@ TEST(Law, IsOneAndTheSameForEqualTerms) {
   other.x.seen.high = 81;
   EXPECT_NE(&law(term), &law(other));
   other = term;
-  other.site.run = "3";
+  other.site.runs = {"3"};
   EXPECT_NE(&law(term), &law(other));
   EXPECT_EQ(term_of(law(term))->x.column, "humidity_pct");
   EXPECT_EQ(term_of(*find_cause("wear")), nullptr);
@@ -133,7 +133,7 @@ TEST(SiteName, IsReadBack) {
   EXPECT_EQ(site.held, false);
   EXPECT_EQ(site.direction, Direction::release);
   EXPECT_EQ(site.routing, "M-1-T-2-F");
-  EXPECT_EQ(site.run, "4");
+  EXPECT_EQ(site.runs, std::vector<std::string>{"4"});
   EXPECT_EQ(site.group, "C");
   EXPECT_EQ(site_of("T3").channel, parse_segment("T3"));
 }

@@ -347,23 +347,23 @@ TEST(TermSite, RestrictsInWhichRunsAndGroupsATermActs) {
   };
   Site site = contacts(ContactKind::sheath);
   EXPECT_TRUE(acts(site, "3", "A"));
-  site.run = "3";
+  site.runs = {"3"};
   EXPECT_TRUE(acts(site, "3", "A"));
   EXPECT_FALSE(acts(site, "4", "A"));
   site.group = "A";
   EXPECT_TRUE(acts(site, "3", "A"));
   EXPECT_FALSE(acts(site, "3", "B"));
   EXPECT_EQ(factors(site)[0], 1);  // no record
-  site.run = "";
+  site.runs = {};
   EXPECT_TRUE(acts(site, "4", "A"));
 }
 
 TEST(TermSite, OfARunRestrictsMotorAndChannelsLikewise) {
   Site site = at(SitePlace::motor);
-  site.run = "3";
+  site.runs = {"3"};
   Model motor = model_of(constant(Target::gain, site), {0.5});
   site = channel("T1");
-  site.run = "3";
+  site.runs = {"3"};
   Model sensor = model_of(constant(Target::gain, site), {0.5});
   for (const char* run : {"3", "4"}) {
     const bool here = *run == '3';

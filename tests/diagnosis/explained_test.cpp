@@ -101,7 +101,7 @@ TEST(ExplainedResiduals, BesideARunApartAreThoseOfTheOthers) {
   apart.target = Target::offset;
   apart.site.place = SitePlace::channel;
   apart.site.channel = {SegmentKind::strand, 4};
-  apart.site.run = "r5";
+  apart.site.runs = {"r5"};
   const std::vector<Effect> terms{of_size(on_T1, 3), of_size(on_T2, 0.3)};
   const ExplainedResiduals by =
       explained_residuals(all_in_training(bench), bench.problem, Model{}, with(terms), terms,

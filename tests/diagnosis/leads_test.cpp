@@ -38,7 +38,7 @@ TEST(Leads, NameTheRunThatStandsApartFirst) {
   EXPECT_LE(found.size(), most_leads);
   const Term* term = causes::term_of(*found.front().effect.cause);
   ASSERT_NE(term, nullptr);
-  EXPECT_EQ(term->site.run, "r5");
+  EXPECT_EQ(term->site.runs, std::vector<std::string>{"r5"});
   EXPECT_TRUE(is_of_one_place(found.front().effect));
   EXPECT_GT(found.front().evidence, 50);
   ASSERT_TRUE(found.front().partial.has_value());
@@ -131,7 +131,7 @@ TEST(Leads, OfOnePlaceAreThoseOfARunASensorOrAContact) {
   term.site.number = 1;
   EXPECT_TRUE(is_of_one_place(effect(term)));
   term.site.number.reset();
-  term.site.run = "r1";
+  term.site.runs = {"r1"};
   EXPECT_TRUE(is_of_one_place(effect(term)));
   Term gain;
   gain.target = Target::gain;

@@ -129,7 +129,7 @@ TEST(OutlierGroups, IsASensorThatSticksNowAndThen) {
   // A run may also follow a law of its own.
   std::set<std::string> found =
       runs_of_lines(data, noted_lines(result.notes, NoteKind::outlier_groups));
-  for (const RunApart& apart : result.apart) found.insert(apart.run);
+  for (const RunsApart& apart : result.apart) found.insert(apart.runs.begin(), apart.runs.end());
   EXPECT_EQ(found, names);
 }
 

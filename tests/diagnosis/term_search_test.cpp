@@ -349,7 +349,7 @@ TEST(TermSearch, NamesARunThatStandsApart) {
       readings([](const Row& row, int strand) { return row.run == 7 && strand == 1 ? 1.3 : 1.0; }));
   EXPECT_EQ(result.verdict, Verdict::unexplained);
   ASSERT_EQ(result.apart.size(), 1U);
-  EXPECT_EQ(result.apart.front().run, "r7");
+  EXPECT_EQ(result.apart.front().runs, std::vector<std::string>{"r7"});
   EXPECT_TRUE(result.causes.empty());
 }
 
@@ -363,7 +363,7 @@ TEST(TermSearch, NamesAMountingThatStandsApart) {
   EXPECT_EQ(result.verdict, Verdict::unexplained);
   EXPECT_TRUE(result.causes.empty());
   ASSERT_EQ(result.apart.size(), 1U);
-  EXPECT_EQ(result.apart.front().run, "r7");
+  EXPECT_EQ(result.apart.front().runs, std::vector<std::string>{"r7"});
   EXPECT_NE(result.apart.front().text.find("exponent of sheath in run r7"), std::string::npos)
       << result.apart.front().text;
 }

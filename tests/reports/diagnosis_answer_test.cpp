@@ -345,19 +345,14 @@ TEST(DiagnosisAnswer, HasAtMostSixLinesAndKeepsTheRest) {
             "Strongest lead, not confirmed: exponent of tube (12.3 nats).\n");
 }
 
-TEST(DiagnosisAnswer, OfARunApartSaysHowFarItIsOff) {
+TEST(DiagnosisAnswer, OfRunsApartSaysHowFarTheyAreOff) {
   DiagnosisReport report = report_of(Verdict::unexplained);
-  report.data.runs = {"m1", "m2"};
-  report.data.readings.resize(2);
-  report.data.readings[1].run = 1;
-  report.result.cells.assign(2, report.result.cells.front());
-  report.result.cells[0].cell = {0, 0, 0, 5.0};
-  report.result.cells[1].cell = {1, 0, 0, 9.0};
-  report.result.cells[0].after_N = report.result.cells[1].after_N = 5.5;
-  const Effect effect{&causes::law(causes::Term{}), {}, {0.1}};
-  report.result.apart = {{"m2", effect, 30, effect.cause->meaning()}};
-  report.result.unexplained = Unexplained{"run", "run m2: exponent of tube in run m2", 0.001};
-  EXPECT_TRUE(says(report, "(residuals of 3.5 N there, 0.5 N in other runs; p = 0.001)"));
+  causes::Term term;
+  term.site.runs = {"m2", "m5"};
+  const Effect effect{&causes::law(term), {}, {0.1}};
+  report.result.apart = {{{"m2", "m5"}, effect, 30, effect.cause->meaning()}};
+  report.result.unexplained = Unexplained{"run", effect.cause->meaning(), 0.001};
+  EXPECT_TRUE(says(report, "most of all exponent of tube in runs m2, m5 (phi' = phi (1 + 0.1); p"));
 }
 
 }  // namespace
