@@ -66,7 +66,9 @@ class SiteReader {
 
   std::optional<Site> site() {
     split_off_runs_and_group();
-    if (!read_place() || !rest_.empty()) return std::nullopt;
+    if (!read_place() || !rest_.empty() || std::ranges::count(site_.runs, "") > 0) {
+      return std::nullopt;
+    }
     return site_;
   }
 

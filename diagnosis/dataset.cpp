@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "numerics/robust.hpp"
+#include "readings/column_name.hpp"
 #include "readings/row_order.hpp"
 
 namespace reeve::diagnosis {
@@ -17,15 +19,49 @@ namespace {
 struct RowPlaces {
   std::vector<double> run;  // number of each run
   std::vector<double> row;  // place of each reading in its run, from 1, as they were taken
+  // Time since each reading's run began, or since a pause in it; empty without a clock.
+  std::vector<double> since_pause_s;
 };
 
+// The readings of each run, as they were taken.
+using TakenInRuns = std::vector<std::vector<std::size_t>>;
+
+// A step of the clock is a pause from so many usual ones.
+constexpr double steps_of_a_pause = 5;
+
+std::vector<double> since_pause_s(const MeasuredData& data, const TakenInRuns& taken) {
+  const std::optional<std::size_t> clock = readings::clock_of(data);
+  if (!clock) return {};
+  const double unit = *readings::clock_unit(data.covariates[*clock]);
+  const auto time_s = [&](std::size_t i) { return unit * *data.readings[i].covariates[*clock]; };
+  std::vector<double> steps;
+  for (const std::vector<std::size_t>& run : taken) {
+    for (std::size_t k = 1; k < run.size(); ++k)
+      steps.push_back(time_s(run[k]) - time_s(run[k - 1]));
+  }
+  const double pause = steps.empty() ? 0 : steps_of_a_pause * median(steps);
+  std::vector<double> result(data.readings.size());
+  for (const std::vector<std::size_t>& run : taken) {
+    for (std::size_t k = 1; k < run.size(); ++k) {
+      const double step = time_s(run[k]) - time_s(run[k - 1]);
+      if (step < pause) result[run[k]] = result[run[k - 1]] + step;
+    }
+  }
+  return result;
+}
+
 RowPlaces places(const MeasuredData& data) {
-  RowPlaces found{readings::run_numbers(data.runs), std::vector<double>(data.readings.size())};
+  RowPlaces found{readings::run_numbers(data.runs), std::vector<double>(data.readings.size()), {}};
   std::vector<std::size_t> taken(data.readings.size());
   std::iota(taken.begin(), taken.end(), std::size_t{0});
   std::ranges::sort(taken, {}, [&](std::size_t i) { return data.readings[i].taken; });
-  std::vector<double> rows(data.runs.size());
-  for (const std::size_t i : taken) found.row[i] = ++rows[data.readings[i].run];
+  TakenInRuns in_runs(data.runs.size());
+  for (const std::size_t i : taken) {
+    std::vector<std::size_t>& run = in_runs[data.readings[i].run];
+    run.push_back(i);
+    found.row[i] = static_cast<double>(run.size());
+  }
+  found.since_pause_s = since_pause_s(data, in_runs);
   return found;
 }
 
@@ -39,6 +75,7 @@ std::shared_ptr<const Record> record(const MeasuredData& data, std::size_t index
   add("order", order);
   add("run", places.run[reading.run]);
   add("row_in_run", places.row[index]);
+  if (!places.since_pause_s.empty()) add("since_pause_s", places.since_pause_s[index]);
   add("sheath_angle_rad", reading.sheath_angle_rad);
   for (std::size_t c = 0; c < data.covariates.size(); ++c) {
     add(data.covariates[c], reading.covariates[c]);

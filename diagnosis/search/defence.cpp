@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -74,23 +75,39 @@ std::string follows(const causes::Covariate& covariate) {
   return says_when(covariate) ? "when" : covariate_name(covariate);
 }
 
-// A recorded column says something of other files, and when a reading was taken does not: a law of
-// the one that is hardly less likely takes the place of a law of the other. Returns its evidence.
-double take_recorded(SearchedModel& search, const std::vector<Scored>& ways, std::size_t c,
-                     double evidence) {
+// What a law says of readings in other files.
+enum class Foresight : std::uint8_t { of_some_runs, of_when, of_recorded };
+
+Foresight foresight(const Term& term) {
+  if (term.site.runs.size() > 1) return Foresight::of_some_runs;
+  return says_when(term.x) ? Foresight::of_when : Foresight::of_recorded;
+}
+
+// A law that says more of other files takes the place of one that is hardly likelier. Returns its
+// evidence.
+double take_foreseeing(SearchedModel& search, const std::vector<Scored>& ways, std::size_t c,
+                       double evidence) {
   const Term* own = term_of(*search.accepted[c].effect.cause);
-  if (own == nullptr || !says_when(own->x)) return evidence;
+  if (own == nullptr || foresight(*own) == Foresight::of_recorded) return evidence;
+  const Scored* best = nullptr;
   for (const Scored& way : ways) {
     if (!(evidence - way.evidence < least_evidence)) break;
-    const Term* other = term_of(*way.term.effect.cause);
-    const bool acts_alike =
-        other != nullptr && other->target == own->target && other->site == own->site;
-    if (!acts_alike || other->form == Form::constant || says_when(other->x)) continue;
-    search.accepted[c] = way.term;
-    search.settle(way.model);
-    return search.now.evidence - cost_of_coefficients(search, search.now.model);
+    const Effect& so_far = best == nullptr ? search.accepted[c].effect : best->term.effect;
+    if (!acts_alike(way.term.effect, so_far)) continue;
+    const Term& law = *term_of(*way.term.effect.cause);
+    if (law.form == Form::constant) continue;
+    if (foresight(law) > foresight(*term_of(*so_far.cause))) best = &way;
   }
-  return evidence;
+  if (best == nullptr) return evidence;
+  search.accepted[c] = best->term;
+  search.settle(best->model);
+  return search.now.evidence - cost_of_coefficients(search, search.now.model);
+}
+
+// That the runs are some of all says less than the accepted law does.
+bool is_of_its_runs(const Effect& way, const Effect& accepted) {
+  return acts_alike(way, accepted) && term_of(*accepted.cause)->form != Form::constant &&
+         foresight(*term_of(*way.cause)) == Foresight::of_some_runs;
 }
 
 // Charges the ways that could be as likely as the accepted term, and puts the likeliest first.
@@ -120,6 +137,15 @@ bool is_kin(const Effect& a, const Effect& b) {
          (follows(x->x) == follows(y->x) && follows(x->y) == follows(y->y));
 }
 
+bool acts_alike(const Effect& a, const Effect& b) {
+  const Term* x = term_of(*a.cause);
+  const Term* y = term_of(*b.cause);
+  if (x == nullptr || y == nullptr || x->target != y->target) return false;
+  Site site = x->site;
+  site.runs = y->site.runs;
+  return site == y->site;
+}
+
 bool differ_in_group(const Effect& a, const Effect& b) {
   const Term* x = term_of(*a.cause);
   const Term* y = term_of(*b.cause);
@@ -129,6 +155,17 @@ bool differ_in_group(const Effect& a, const Effect& b) {
   of_its_group.site.group = x->site.group;
   return of_its_group == *x;
 }
+
+namespace {
+
+bool says_no_more(const SearchedModel& search, const Scored& way, const Effect& accepted) {
+  const Effect& other = way.term.effect;
+  return same_effect(other, accepted) || is_kin(other, accepted) ||
+         is_of_its_runs(other, accepted) || is_a_law_of_its_name(search, way, accepted) ||
+         compares_with_another_group(search, other, accepted);
+}
+
+}  // namespace
 
 void drop_superfluous(SearchedModel& search) {
   for (std::size_t c = 0; c < search.accepted.size();) {
@@ -161,18 +198,14 @@ void defend(SearchedModel& search, const Vocabulary& words, std::size_t c) {
     evidence = ways.front().evidence;
     search.settle(ways.front().model);
   }
-  evidence = take_recorded(search, ways, c, take_simplest(search, ways, c, evidence));
+  evidence = take_foreseeing(search, ways, c, take_simplest(search, ways, c, evidence));
   AcceptedTerm& accepted = search.accepted[c];
   accepted.alternatives.clear();
   double odds = 1;
   for (const Scored& way : ways) {
     const double deficit = evidence - way.evidence;
     if (!(deficit < least_evidence)) break;
-    if (same_effect(way.term.effect, accepted.effect) || is_kin(way.term.effect, accepted.effect) ||
-        is_a_law_of_its_name(search, way, accepted.effect) ||
-        compares_with_another_group(search, way.term.effect, accepted.effect)) {
-      continue;
-    }
+    if (says_no_more(search, way, accepted.effect)) continue;
     odds += std::exp(-deficit);
     accepted.alternatives.push_back({way.term.effect, deficit, {accepted.effect}});
   }

@@ -18,6 +18,9 @@ namespace reeve::diagnosis {
 // in the file and the number of the run are one: when a reading was taken.
 bool is_kin(const Effect& a, const Effect& b);
 
+// True if two laws have one target and site, in whatever runs.
+bool acts_alike(const Effect& a, const Effect& b);
+
 // True if two laws are alike but for the groups that they are of.
 bool differ_in_group(const Effect& a, const Effect& b);
 

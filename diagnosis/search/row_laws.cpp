@@ -13,6 +13,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+std::optional<double> column_of(const DatasetRow& row, const std::string& name) {
+  for (const causes::NamedValue& column : row.conditions.record->columns) {
+    if (column.name == name) return column.value;
+  }
+  return std::nullopt;
+}
+
 std::optional<double> recorded(const Covariate& covariate, const DatasetRow& row,
                                const Reading& reading) {
   switch (covariate.kind) {
@@ -27,10 +34,7 @@ std::optional<double> recorded(const Covariate& covariate, const DatasetRow& row
     default:
       break;
   }
-  for (const causes::NamedValue& column : row.conditions.record->columns) {
-    if (column.name == covariate.column) return column.value;
-  }
-  return std::nullopt;
+  return column_of(row, covariate.column);
 }
 
 // Returns nothing where too few rows record it.
@@ -84,6 +88,13 @@ bool tells_more_than(const std::vector<RowCovariate>& recorded, const RowCovaria
   });
 }
 
+// Without pauses, the place in the run says as much as the time since it began.
+bool has_pauses(const Dataset& dataset) {
+  return std::ranges::any_of(dataset.rows, [](const DatasetRow& row) {
+    return column_of(row, "since_pause_s") == 0 && column_of(row, "row_in_run") > 1;
+  });
+}
+
 }  // namespace
 
 std::vector<RowCovariate> row_covariates(const Dataset& dataset) {
@@ -108,6 +119,7 @@ std::vector<RowCovariate> row_covariates(const Dataset& dataset) {
   if (result.size() > recorded.size() && !tells_more_than(recorded, result.back())) {
     result.pop_back();
   }
+  if (has_pauses(dataset)) add(column("since_pause_s"), true);
   return result;
 }
 

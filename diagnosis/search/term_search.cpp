@@ -60,6 +60,7 @@ class Searching {
         defend(search_, words_, c);
       }
       move_steps();
+      if (!words_.effort.level) put_one_for_several();
     }
     for (std::size_t c = 0; c < accepted().size() && !words_.effort.level; ++c) {
       stage("weighing other causes");
@@ -236,6 +237,40 @@ class Searching {
     }
   }
 
+  // What was accepted in parts, each beside fewer terms, may be one law: of the same site and
+  // target, in whatever runs.
+  void put_one_for_several() {
+    for (std::size_t c = 0; c + 1 < accepted().size(); ++c) {
+      const Effect first = accepted()[c].effect;
+      const SearchedModel before = search_;
+      std::erase_if(accepted(),
+                    [&](const AcceptedTerm& term) { return acts_alike(term.effect, first); });
+      if (before.accepted.size() - accepted().size() > 1 && find_one_like(first, before)) continue;
+      restore(before);
+    }
+  }
+
+  // Returns false if it has less evidence than the parts have.
+  bool find_one_like(const Effect& part, const SearchedModel& before) {
+    Model model = before.now.model;
+    std::erase_if(model.effects, [&](const Effect& other) { return acts_alike(other, part); });
+    search_.settle(model);
+    for (const Scored& way :
+         ways_on(search_, words_, search_.now, views(search_, words_.effort), accepted().size())) {
+      if (!acts_alike(way.term.effect, part)) continue;
+      accepted().push_back(way.term);
+      search_.settle(way.model);
+      return search_.now.evidence > before.now.evidence + clearly_likelier;
+    }
+    return false;
+  }
+
+  void restore(const SearchedModel& before) {
+    search_.accepted = before.accepted;
+    search_.shape = before.shape;
+    search_.now = before.now;
+  }
+
   // Moves accepted steps to likelier places between neighbours of the recorded values: no fit moves
   // a step, and each was screened beside fewer terms.
   void move_steps() {
@@ -272,9 +307,7 @@ class Searching {
     search_.settle(other.model);
     drop_superfluous(search_);
     if (search_.now.evidence > before.now.evidence + clearly_likelier) return true;
-    search_.accepted = before.accepted;
-    search_.shape = before.shape;
-    search_.now = before.now;
+    restore(before);
     return false;
   }
 

@@ -41,6 +41,7 @@ AxisName covariate_axis(const Covariate& covariate) {
       if (covariate.column == "order") return {"place in the file, first 0, last 1", "1"};
       if (covariate.column == "run") return {"number of the run", "1"};
       if (covariate.column == "row_in_run") return {"place in the run, from 1", "1"};
+      if (covariate.column == "since_pause_s") return {"time since the last pause", "s"};
       break;
     case CovariateKind::none:
       break;

@@ -118,6 +118,7 @@ TEST(SiteName, IsReadBack) {
                            "T3 in run 7",
                            "motor in group winch 2",
                            "all channels in run a in run b",
+                           "motor in runs m7, m8, m9 in group B",
                            "T1 in group a in run b",
                            "T1 in group a in group b"}) {
     const auto site = site_named(name);
@@ -135,14 +136,16 @@ TEST(SiteName, IsReadBack) {
   EXPECT_EQ(site.routing, "M-1-T-2-F");
   EXPECT_EQ(site.runs, std::vector<std::string>{"4"});
   EXPECT_EQ(site.group, "C");
+  EXPECT_EQ(site_of("T3 in runs 4, 7").runs, (std::vector<std::string>{"4", "7"}));
   EXPECT_EQ(site_of("T3").channel, parse_segment("T3"));
 }
 
 TEST(SiteName, OfNothingIsNoSite) {
-  for (const char* name : {"", "tubes", "T", "T0", "motors", "tube of finger 0", "tube of ",
-                           "tube of finger x", "tube 0", "sheath of finger 99999999999999999999",
-                           "motor of finger 1", "channels", "tube of finger 1 2", "tube in run ",
-                           "tube 01", "T3 in group ", "T3 of finger 1", "tube and sheath 2"}) {
+  for (const char* name :
+       {"", "tubes", "T", "T0", "motors", "tube of finger 0", "tube of ", "tube of finger x",
+        "tube 0", "sheath of finger 99999999999999999999", "motor of finger 1", "T3 in runs 4, ",
+        "channels", "tube of finger 1 2", "tube in run ", "tube 01", "T3 in group ",
+        "T3 of finger 1", "tube and sheath 2"}) {
     EXPECT_FALSE(site_named(name)) << name;
   }
 }

@@ -353,6 +353,22 @@ TEST(TermSearch, NamesARunThatStandsApart) {
   EXPECT_TRUE(result.causes.empty());
 }
 
+// Two bad mountings may look like great scatter of all of them.
+TEST(TermSearch, NamesRunsThatStandApartTogether) {
+  const auto mounted = [](const Row& row, int strand) {
+    return 1 + 0.004 * normal(2, strand, static_cast<std::uint64_t>(row.run));
+  };
+  EXPECT_TRUE(diagnosed(readings(mounted)).apart.empty());
+  const DiagnosisResult result = diagnosed(readings([&](const Row& row, int strand) {
+    return mounted(row, strand) * (row.run == 3 || row.run == 7 ? 0.85 : 1.0);
+  }));
+  EXPECT_EQ(result.verdict, Verdict::unexplained);
+  EXPECT_TRUE(result.causes.empty());
+  ASSERT_EQ(result.apart.size(), 1U);
+  EXPECT_EQ(result.apart.front().runs, (std::vector<std::string>{"r3", "r7"}));
+  EXPECT_NEAR(result.apart.front().effect.values.front(), -0.15, 0.02);
+}
+
 // Mountings that scatter by 2 % would have to scatter by 12 % to explain it. The sheath is the
 // first contact behind the motor, so what differs might as well be the gain of either side.
 TEST(TermSearch, NamesAMountingThatStandsApart) {
