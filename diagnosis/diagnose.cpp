@@ -100,6 +100,7 @@ class Diagnosis {
              bends_are_recorded);
     add_partial_residuals(intervals);
     note_runs_apart();
+    note_shifted_rows();
     begin("looking for leads");
     find_leads();
     // If nothing is named, the hardware file stands, and its coefficients with it.
@@ -144,6 +145,9 @@ class Diagnosis {
       for (DataNote& note : notes_on_channel_units(dataset(data_, readings_used()), nominal_)) {
         result_.notes.push_back(std::move(note));
       }
+    }
+    if (auto note = note_on_shifted_rows(data_, readings_used(), nominal_)) {
+      result_.notes.push_back(std::move(*note));
     }
     if (is_noted(NoteKind::not_as_pulled)) return;
     if (auto note = note_on_other_direction(data_, readings_used(), nominal_)) {
@@ -414,6 +418,12 @@ class Diagnosis {
       result_.next_measurement = shrinking_measurement(plan, found_.problem, found_.model,
                                                        place(found_.model, cause.effect));
     }
+  }
+
+  // No chance makes the row beside it fit so much better.
+  void note_shifted_rows() {
+    if (!is_noted(NoteKind::shifted_rows)) return;
+    result_.unexplained = {"row", "motor_tension_N", resolved(0)};
   }
 
   void decide() {

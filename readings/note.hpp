@@ -38,6 +38,7 @@ enum class NoteKind : std::uint8_t {
   runs_of_groups,          // runs of one name in several groups
   outlier_forecast,        // held-out readings that the model is far from (outlier_forecasts.hpp)
   other_direction,         // rows that read as the other direction (model_doubts.hpp)
+  shifted_rows,            // motor tensions of other rows than theirs (model_doubts.hpp)
   outlier_groups,          // readings far off, of one channel in some runs (outlier_groups.hpp)
   not_following,           // time series: a tension stays the same while the load changes
   reversed,                // time series: pulling looks like releasing
@@ -74,6 +75,7 @@ inline const char* note_kind_name(NoteKind kind) {
                              "runs_of_groups",
                              "far_forecast",
                              "other_direction",
+                             "shifted_rows",
                              "far_together",
                              "not_following",
                              "reversed",

@@ -35,6 +35,7 @@ std::string covariate_words(const Covariate& covariate) {
   if (covariate.kind == CovariateKind::load) return "the load";
   if (covariate.kind == CovariateKind::tension)
     return "the tension at " + covariate_name(covariate);
+  if (covariate.column == "since_pause_s") return "the time since the last pause";
   return covariate_name(covariate);
 }
 

@@ -65,10 +65,24 @@ std::vector<Fold> cross_validated(const MeasuredData& data,
   return result;
 }
 
+namespace {
+
+// A fold does not see all of the runs that something is about.
+bool is_of_some_of_its_runs(const Effect& found, const Effect& cause) {
+  if (!acts_alike(found, cause)) return false;
+  const auto& runs = term_of(*found.cause)->site.runs;
+  const auto& all = term_of(*cause.cause)->site.runs;
+  return !runs.empty() && std::ranges::all_of(runs, [&](const std::string& run) {
+    return std::ranges::find(all, run) != all.end();
+  });
+}
+
+}  // namespace
+
 bool stands_for(const Effect& found, const AcceptedTerm& cause) {
   const std::string name = effect_name(found);
   return name == effect_name(cause.effect) || is_kin(found, cause.effect) ||
-         differ_in_group(found, cause.effect) ||
+         differ_in_group(found, cause.effect) || is_of_some_of_its_runs(found, cause.effect) ||
          std::ranges::any_of(cause.alternatives,
                              [&](const Alternative& other) { return other.name() == name; });
 }

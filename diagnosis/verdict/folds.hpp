@@ -40,8 +40,8 @@ std::vector<Fold> cross_validated(const MeasuredData& data,
                                   const std::vector<std::size_t>& readings, const Model& nominal,
                                   const TermSearch& search, Workers& workers);
 
-// True if a fold's own term is this cause, another form of its law, the same in another group, or
-// one of its alternatives.
+// True if a fold's own term is this cause, another form of its law, the same in another group or in
+// some of its runs, or one of its alternatives.
 bool stands_for(const Effect& found, const AcceptedTerm& cause);
 
 // The share of the folds in which the cause that was accepted in this place holds: they find it or

@@ -18,6 +18,9 @@ constexpr double odd_direction_factor = 3;
 constexpr double least_odd_direction = 0.1;
 constexpr double most_odd_of_a_run = 0.2;
 constexpr std::size_t least_odd_rows = 3;
+constexpr std::size_t least_rows_shifted = 20;
+constexpr double shifted_factor = 3;
+constexpr double least_shifted = 0.05;
 
 // Calls use(row, cell, ln (T / m)) for each cell in which both are above zero.
 template <typename Use>
@@ -94,21 +97,62 @@ std::string who_is_off(const ChannelGroup& group, double factor) {
       are_many ? "are they in " : "is it in ");
 }
 
-// Distances by reading; NaN if nothing can be compared.
-using RowDistances = std::vector<double>;
+// By reading; NaN if nothing can be compared.
+using RowLevels = std::vector<double>;
 
-RowDistances distances(const MeasuredData& data, const std::vector<std::size_t>& readings,
-                       const Model& model) {
-  RowDistances result(data.readings.size(), std::nan(""));
+// Medians over each row of use(ln (T / m)).
+template <typename Use>
+RowLevels row_levels(const MeasuredData& data, const std::vector<std::size_t>& readings,
+                     const Model& model, Use use) {
+  RowLevels result(data.readings.size(), std::nan(""));
   const Dataset all = dataset(data, readings);
   const std::optional<Forecast> at = try_forecast(all, model);
   if (!at) return result;
   std::map<std::size_t, std::vector<double>> off;
   for_each_logarithm(all, *at, [&](const DatasetRow& row, const Cell&, double logarithm) {
-    off[row.reading].push_back(std::abs(logarithm));
+    off[row.reading].push_back(use(logarithm));
   });
   for (auto& [reading, of_row] : off) result[reading] = median(std::move(of_row));
   return result;
+}
+
+RowLevels distances(const MeasuredData& data, const std::vector<std::size_t>& readings,
+                    const Model& model) {
+  return row_levels(data, readings, model, [](double logarithm) { return std::abs(logarithm); });
+}
+
+// Readings i and j of one run, j the one behind or before i as they were taken.
+struct Neighbours {
+  std::size_t i = 0, j = 0;
+};
+
+std::vector<Neighbours> neighbours(const MeasuredData& data,
+                                   const std::vector<std::size_t>& readings, bool behind) {
+  std::vector<std::size_t> taken = readings;
+  std::ranges::sort(taken, {}, [&](std::size_t i) { return data.readings[i].taken; });
+  if (!behind) std::ranges::reverse(taken);
+  std::vector<Neighbours> result;
+  for (std::size_t k = 1; k < taken.size(); ++k) {
+    const Neighbours pair{taken[k - 1], taken[k]};
+    if (data.readings[pair.i].run == data.readings[pair.j].run) result.push_back(pair);
+  }
+  return result;
+}
+
+// Median distance of the levels, each from the median of its block.
+double spread_in_blocks(const Dataset& all, const RowLevels& levels) {
+  std::vector<double> off;
+  for (const ReadingBlock& block : all.blocks) {
+    std::vector<double> own;
+    for (const std::size_t row : block.rows) {
+      const double level = levels[all.rows[row].reading];
+      if (!std::isnan(level)) own.push_back(level);
+    }
+    if (own.empty()) continue;
+    const double middle = median(own);
+    for (const double level : own) off.push_back(std::abs(level - middle));
+  }
+  return off.size() < least_rows_shifted ? std::nan("") : median(std::move(off));
 }
 
 MeasuredData the_other_way(MeasuredData data) {
@@ -118,7 +162,7 @@ MeasuredData the_other_way(MeasuredData data) {
   return data;
 }
 
-double usual_distance(const RowDistances& recorded, const RowDistances& other) {
+double usual_distance(const RowLevels& recorded, const RowLevels& other) {
   std::vector<double> lesser;
   for (std::size_t r = 0; r < recorded.size(); ++r) {
     if (recorded[r] >= 0 && other[r] >= 0) lesser.push_back(std::min(recorded[r], other[r]));
@@ -134,9 +178,9 @@ struct OddRun {
 std::map<std::size_t, OddRun> odd_runs(const MeasuredData& data,
                                        const std::vector<std::size_t>& readings,
                                        const Model& nominal) {
-  const RowDistances recorded = distances(data, readings, nominal);
+  const RowLevels recorded = distances(data, readings, nominal);
   const MeasuredData reversed = the_other_way(data);
-  const RowDistances other = distances(reversed, readings, nominal);
+  const RowLevels other = distances(reversed, readings, nominal);
   const double usual = usual_distance(recorded, other);
   std::map<std::size_t, OddRun> runs;
   for (std::size_t r = 0; r < recorded.size(); ++r) {
@@ -157,6 +201,34 @@ std::map<std::size_t, OddRun> odd_runs(const MeasuredData& data,
 }
 
 }  // namespace
+
+std::optional<DataNote> note_on_shifted_rows(const MeasuredData& data,
+                                             const std::vector<std::size_t>& readings,
+                                             const Model& nominal) {
+  const Dataset all = dataset(data, readings);
+  const RowLevels levels =
+      row_levels(data, readings, nominal, [](double logarithm) { return logarithm; });
+  for (const bool behind : {true, false}) {
+    RowLevels own(levels.size(), std::nan(""));
+    RowLevels other = own;
+    for (const auto& [i, j] : neighbours(data, readings, behind)) {
+      const double motor_N = data.readings[j].motor_tension_N.value_or(0);
+      if (std::isnan(levels[i]) || !(motor_N > 0)) continue;
+      own[i] = levels[i];
+      other[i] = levels[i] + std::log(*data.readings[i].motor_tension_N / motor_N);
+    }
+    const double by_own = spread_in_blocks(all, own);
+    const double by_other = spread_in_blocks(all, other);
+    if (!(by_own > shifted_factor * by_other && by_own > least_shifted)) continue;
+    return DataNote{
+        NoteKind::shifted_rows,
+        fmt::format("tensions go with motor_tension_N of the row {} them, {:.2g} % off, better "
+                    "than with that of their own, {:.2g} % off: is a column a row late?",
+                    behind ? "behind" : "before", 100 * by_other, 100 * by_own),
+        {}};
+  }
+  return std::nullopt;
+}
 
 std::vector<DataNote> notes_on_channel_units(const Dataset& all, const Model& nominal) {
   const std::optional<Forecast> at = try_forecast(all, nominal);

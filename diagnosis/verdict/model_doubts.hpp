@@ -23,6 +23,10 @@
 // are noted: one run with a wrong direction is a small part of a file, and search would explain it
 // by whatever comes near.
 //
+// Rows whose motor tension was written a row late or early: with x = median over the strands
+// ln (T / m), and M the motor tension, the median distance of x_i from the median of its block is
+// over 5 %, and three times that of x_i + ln (M_i / M_j), j the neighbour in its run.
+//
 // Rows without motor tension say nothing here.
 #pragma once
 
@@ -42,5 +46,9 @@ std::vector<DataNote> notes_on_channel_units(const Dataset& all, const Model& no
 std::optional<DataNote> note_on_other_direction(const MeasuredData& data,
                                                 const std::vector<std::size_t>& readings,
                                                 const Model& nominal);
+
+std::optional<DataNote> note_on_shifted_rows(const MeasuredData& data,
+                                             const std::vector<std::size_t>& readings,
+                                             const Model& nominal);
 
 }  // namespace reeve::diagnosis

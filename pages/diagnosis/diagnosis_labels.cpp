@@ -34,7 +34,8 @@ bool is_equivalent(const DiagnosisResult& result, const Causes& model) {
 // Rows that do not read as the file says, or a sensor that is not like the others.
 bool asks_for_a_look(const DiagnosisResult& result) {
   return std::ranges::any_of(result.notes, [](const DataNote& note) {
-    return note.kind == NoteKind::other_direction || note.kind == NoteKind::outlier_groups;
+    return note.kind == NoteKind::other_direction || note.kind == NoteKind::shifted_rows ||
+           note.kind == NoteKind::outlier_groups;
   });
 }
 

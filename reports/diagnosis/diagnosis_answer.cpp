@@ -295,6 +295,7 @@ std::string whole_answer(const DiagnosisReport& report) {
                          check_first(notes, NoteKind::inverted, "this") +
                          check_first(notes, NoteKind::not_as_pulled, "this") +
                          check_first(notes, NoteKind::other_direction, "this") +
+                         check_first(notes, NoteKind::shifted_rows, "this") +
                          check_first(notes, NoteKind::outlier_groups, "this") +
                          (mountings.empty() ? "" : mountings + "\n"));
 }

@@ -1,4 +1,5 @@
-// Directions that are written down the other way in one run of planted data.
+// Directions that are written down the other way in one run of planted data, and motor tensions a
+// row late.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -90,6 +91,21 @@ TEST(TheOtherDirection, IsNotSeenWhereItIsRight) {
     plan.noise.tail_degrees = seed % 3 == 0 ? 3 : 0;
     const auto note = odd_directions(planted_directions(plan, seed));
     EXPECT_FALSE(note) << planted_name(effect) << ' ' << seed << ' ' << note->text;
+  }
+}
+
+TEST(ShiftedRows, AreSeenWhereTheMotorTensionIsOfTheRowBeforeOrBehind) {
+  const MeasuredData data = planted_directions({}, 81);
+  EXPECT_FALSE(note_on_shifted_rows(data, all_readings(data), {}));
+  for (const bool late : {true, false}) {
+    MeasuredData wrong = data;
+    for (std::size_t i = 1; i < data.readings.size(); ++i) {
+      const std::size_t from = late ? i - 1 : i;
+      wrong.readings[late ? i : i - 1].motor_tension_N = data.readings[from].motor_tension_N;
+    }
+    const auto note = note_on_shifted_rows(wrong, all_readings(wrong), {});
+    ASSERT_TRUE(note);
+    EXPECT_TRUE(has(note->text, late ? "of the row behind them" : "of the row before them"));
   }
 }
 
