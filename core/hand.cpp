@@ -54,6 +54,16 @@ double asked_force(double need_N, double pull_per_motor) {
   return pull_per_motor > 0 ? need_N / pull_per_motor : std::numeric_limits<double>::infinity();
 }
 
+// Returns the carriage travel in a grasp until one of its fingers comes to its end.
+double travel_to_first_end(const Hand& hand, int fingers, const HandPulls& pulls) {
+  double travel_mm = std::numeric_limits<double>::infinity();
+  for (int number = 1; number <= fingers; ++number) {
+    const double closing = pulls.closings[static_cast<std::size_t>(number)];
+    if (closing > 0) travel_mm = std::min(travel_mm, hand.finger(number).excursion_mm / closing);
+  }
+  return travel_mm;
+}
+
 // If no force is enough for a finger, none of any of its motors is.
 void add_motor_forces(double hardest_N, const HandPulls& pulls, int finger, MotorArray& forces_N) {
   const MotorGroup& group = pulls.groups[static_cast<std::size_t>(finger)];
@@ -175,7 +185,7 @@ double motor_force(const HandFinger& finger, bool held, const FingerPull& pull_p
 }
 
 GripDemand grip_demand(const Hand& hand, int fingers, const HandPulls& pulls, Grasp grasp) {
-  GripDemand demand{std::numeric_limits<double>::infinity(), 0, 1, {}};
+  GripDemand demand{std::numeric_limits<double>::infinity(), 0, 1, {}, pulls.stretch};
   for (int number = 1; number <= fingers; ++number) {
     const HandFinger& finger = hand.finger(number);
     const FingerPull& pull = pulls.fingers[static_cast<std::size_t>(number)];
@@ -187,6 +197,9 @@ GripDemand grip_demand(const Hand& hand, int fingers, const HandPulls& pulls, Gr
       demand.weakest = number;
     }
     add_motor_forces(force, pulls, number, demand.motors_N);
+  }
+  if (demand.stretch.sliding_mm_N > 0) {
+    demand.stretch.most_N = travel_to_first_end(hand, fingers, pulls) / demand.stretch.sliding_mm_N;
   }
   return demand;
 }

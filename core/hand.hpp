@@ -106,6 +106,7 @@ struct GripDemand {
   double motor_force_N = 0;
   int weakest = 0;        // the finger that asks for it; 0 if nothing is gripped
   MotorArray motors_N{};  // force of each motor
+  SeriesStretch stretch{};
 };
 GripDemand grip_demand(const Hand& hand, int fingers, const HandPulls& pulls, Grasp grasp);
 // Returns the motor force that one finger alone needs.

@@ -9,8 +9,8 @@
 //   stroke    D: the travel until then
 //   closure   least share of its range that a finger has closed: 1 if nothing blocks the carriage
 //
-// A tendon with slack s, whose motor sides take in m D, closes nothing before D = s / m; a spring
-// in series stretches by none of the stroke.
+// A tendon with slack s, whose motor sides take in m D, closes nothing before D = s / m. What
+// springs in series add to the stroke is in series_stretch.hpp.
 //
 // A locked end takes nothing in.
 //

@@ -94,6 +94,8 @@ void add_pulls(const Network& network, const MotorGroup& group, const SolvedGras
   const FingerPullArray found = finger_pulls_of(network, solved.mechanics, solved.state);
   for (int f = 1; f <= network.fingers; ++f) {
     if (!group.has_finger(f)) continue;
+    pulls.closings[static_cast<std::size_t>(f)] =
+        solved.state.closing[static_cast<std::size_t>(f) - 1];
     FingerPull& pull = pulls.fingers[static_cast<std::size_t>(f)];
     pull = found[static_cast<std::size_t>(f)];
     pull.left_N /= unit_N;

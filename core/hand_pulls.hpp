@@ -18,6 +18,8 @@
 #include "core/grasp.hpp"
 #include "core/mechanics.hpp"
 #include "core/network.hpp"
+#include "core/performance.hpp"
+#include "core/series_stretch.hpp"
 #include "core/tension/tension.hpp"
 
 namespace reeve::core {
@@ -49,7 +51,9 @@ Grasp pulling_alone(const MotorGroup& group, const MotorGroups& groups, Grasp gr
 struct HandPulls {
   FingerPullArray fingers{};
   std::array<MotorGroup, max_fingers + 1> groups{};  // group of each finger, at its number
-  MotorArray ratios{};  // tension of each motor; 0 of all motors of a group that stands still
+  MotorArray ratios{};      // tension of each motor; 0 of all motors of a group that stands still
+  SeriesStretch stretch{};  // of the springs in series with tendons
+  FingerArray closings{};   // of the fingers, per travel of the carriage
 
   // Returns the pull of the hardest motor at which no motor of the finger's group pulls with more
   // than its own of these forces; 0 if none pulls.
@@ -77,7 +81,10 @@ HandPulls hand_pulls(const Network& network, const Grasp& grasp, Solve solve) {
       if (group.has_finger(f)) pulls.groups[static_cast<std::size_t>(f)] = group;
     }
     if (!is_driven(network, group, grasp)) continue;
-    add_pulls(network, group, solve(pulling_alone(group, groups, grasp)), pulls);
+    const Grasp alone = pulling_alone(group, groups, grasp);
+    const SolvedGrasp solved = solve(alone);
+    add_pulls(network, group, solved, pulls);
+    pulls.stretch = series_stretch(network, solved.mechanics, alone, solved.state);
   }
   return pulls;
 }

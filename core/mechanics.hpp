@@ -3,8 +3,8 @@
 // A spring of stiffness k in series gives way as EA/k more of its tendon would, which its
 // motor-side segment gets: a tendon's compliance is Σ t_i L_i / EA + t_end / k, in multiples of 1 /
 // EA. Springs decide how tendons share a carriage, and what sticks; they are as small beside the
-// travel as the tendon's own stretch is (the limit of tension.hpp), so that a stroke does not hold
-// T/k.
+// travel as the tendon's own stretch is (the limit of tension.hpp). The stroke of a hand has T/k
+// (series_stretch.hpp).
 #pragma once
 
 #include <array>

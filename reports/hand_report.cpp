@@ -140,6 +140,31 @@ void add_force_lines(const MotorDemand& demand, int motors, std::vector<Document
                    percent(demand.friction_cost()), demand.frictionless_N)});
 }
 
+const char* unstretched(const ShownHand& hand) {
+  return hand.leaves_out_springs() ? ", if springs in series do not stretch" : "";
+}
+
+std::string stretch_text(const MotorDemand& demand) {
+  if (!demand.stretch) return "";
+  return fmt::format(". Springs in series take {:.4g} mm of it, at {:.4g} N", demand.stretch_mm(),
+                     demand.force_N);
+}
+
+std::string series_text(const MotorDemand& demand) {
+  if (!demand.stretch) return "";
+  return fmt::format(", springs in series {:.3g} J", demand.series_J());
+}
+
+std::string rest_text(const MotorDemand& demand, int motors) {
+  if (motors > 1) return "";
+  if (std::isnan(demand.friction_J)) {
+    return ", and friction and fingers are not told apart, since several ends hang on the motor "
+           "beside springs in series";
+  }
+  return fmt::format(", friction takes {:.3g} J, and {:.3g} J are left to the fingers",
+                     demand.friction_J, demand.fingers_J);
+}
+
 void add_motion_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
   const MotorDemand& demand = hand.demand;
   if (!demand.can_move()) {
@@ -149,8 +174,9 @@ void add_motion_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
                      true});
     return;
   }
-  lines.push_back({fmt::format("Stroke {:.4g} mm in {:.4g} s: {:.4g} mm/s", demand.stroke_mm,
-                               hand.motor.close_s, demand.speed_mm_s)});
+  lines.push_back({fmt::format("Stroke {:.4g} mm in {:.4g} s{}: {:.4g} mm/s{}", demand.stroke_mm,
+                               hand.motor.close_s, unstretched(hand), demand.speed_mm_s,
+                               stretch_text(demand))});
   if (demand.closure < 1) {
     lines.push_back(
         {fmt::format("{}: the last finger stands at {} of its range",
@@ -160,15 +186,11 @@ void add_motion_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
          true});
   }
   if (!std::isfinite(demand.force_N)) return;
-  const std::string parts =
-      hand.motors > 1
-          ? ""
-          : fmt::format(", friction takes {:.3g} J, and {:.3g} J are left to the fingers",
-                        demand.friction_J, demand.fingers_J);
   lines.push_back(
-      {fmt::format("Work at most {:.3g} J, of which the springs keep {:.3g} J{}; power at "
+      {fmt::format("Work at most {:.3g} J, of which the springs keep {:.3g} J{}{}; power at "
                    "most {:.3g} W",
-                   demand.work_J, demand.springs_J, parts, demand.power_W)});
+                   demand.work_J, demand.springs_J, series_text(demand),
+                   rest_text(demand, hand.motors), demand.power_W)});
   if (!demand.torque_Nm) return;
   lines.push_back({fmt::format("At a spool radius of {:.4g} mm: {:.3g} N m, {:.3g} rpm",
                                *hand.motor.spool_radius_mm, *demand.torque_Nm, *demand.spool_rpm)});
@@ -181,9 +203,16 @@ std::string last_text(const StrokeReach& reach) {
   return fmt::format(": fingers {} close least", fmt::join(reach.last, ", "));
 }
 
+std::string springs_in_stroke(const ShownHand& hand) {
+  if (hand.leaves_out_springs()) return ", if springs in series do not stretch,";
+  if (!hand.demand.stretch) return "";
+  return fmt::format(", of which springs in series take {:.4g} mm at {:.4g} N,",
+                     std::min(hand.demand.stretch_mm(), *hand.motor.stroke_mm),
+                     hand.demand.force_N);
+}
+
 // Adds lines on the given motor: its fingertip forces, and its closure if the stroke is too short.
 void add_reach_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
-  const char* const springs = hand.springs ? ", if springs in series do not stretch," : "";
   if (hand.force_reach && hand.force_reach->weakest > 0) {
     const ForceReach& reach = *hand.force_reach;
     const std::string where = fmt::format("finger {} is the weakest, at its joint {}, with held {}",
@@ -191,18 +220,18 @@ void add_reach_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
     lines.push_back(
         {reach.share > 0
              ? fmt::format(
-                   "With {:.4g} N{} the fingers press with {} of all wanted forces or more, at "
+                   "With {:.4g} N the fingers press with {} of all wanted forces or more, at "
                    "the nominal coefficients: {}, {:.3g} N",
-                   reach.motor_N, springs, percent(reach.share), where, reach.force_N)
+                   reach.motor_N, percent(reach.share), where, reach.force_N)
              : fmt::format("With {:.4g} N not every finger closes and presses: {}", reach.motor_N,
                            where)});
   }
   if (!hand.stroke_reach) return;
   const StrokeReach& reach = *hand.stroke_reach;
   if (reach.closure < hand.demand.closure) {
-    lines.push_back(
-        {fmt::format("With {:.4g} mm of stroke{} the hand closes to {} of its range{}",
-                     *hand.motor.stroke_mm, springs, percent(reach.closure), last_text(reach))});
+    lines.push_back({fmt::format("With {:.4g} mm of stroke{} the hand closes to {} of its range{}",
+                                 *hand.motor.stroke_mm, springs_in_stroke(hand),
+                                 percent(reach.closure), last_text(reach))});
   }
 }
 
@@ -261,7 +290,7 @@ Json motor_json(const ShownHand& hand) {
   const auto of_motion = [&](double value) {
     return demand.can_move() ? number(value) : Json(nullptr);
   };
-  return {
+  Json json{
       {"force_N", number(demand.force_N)},
       {"frictionless_N", number(demand.frictionless_N)},
       {"friction_cost", number(demand.friction_cost())},
@@ -282,6 +311,12 @@ Json motor_json(const ShownHand& hand) {
       {"drawn", motor_force_json(hand.drawn, hand.motor)},
       {"force_reach", value_or_null(hand.force_reach, force_reach_json)},
       {"stroke_reach", value_or_null(hand.stroke_reach, stroke_reach_json)}};
+  if (hand.springs) {
+    const bool is_counted = demand.stretch.has_value();
+    json["stretch_mm"] = is_counted ? number(demand.stretch_mm()) : Json(nullptr);
+    json["series_springs_J"] = is_counted ? number(demand.series_J()) : Json(nullptr);
+  }
+  return json;
 }
 
 }  // namespace

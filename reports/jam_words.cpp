@@ -29,7 +29,7 @@ std::string assumption(const TendonParts& tendons) {
                slack ? "follow from the springs and the slack given"
                      : "follow from the springs given, and assume no slack; a slack tendon carries "
                        "less") +
-           "; jams, stroke and motor force leave out the stretch of springs";
+           "; jams and motor force leave out the stretch of springs";
   }
   if (slack) {
     return "follow from the slack given, and assume equal stiffness; a softer tendon carries less";

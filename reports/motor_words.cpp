@@ -27,7 +27,7 @@ std::string enough_text(const MotorForce& force, double motor_N) {
 
 // A hand that jams might go on where springs stretch, which no force counts.
 const char* springs_text(const MotorForce& force) {
-  return force.springs ? ", if springs in series do not stretch" : "";
+  return force.leaves_out_springs ? ", if springs in series do not stretch" : "";
 }
 
 DocumentLine motor_line(const MotorForce& force, const MotorParts& motor) {
@@ -47,7 +47,7 @@ std::vector<DocumentLine> stroke_lines(const MotorForce& force, const MotorParts
   return {{fmt::format("The motor's stroke of {:.4g} mm is {}{}: {} of it {} needed",
                        *motor.stroke_mm, enough ? where_enough : "not enough", springs_text(force),
                        percent(force.stroke_mm / *motor.stroke_mm), enough ? "is" : "would be"),
-           !enough || force.springs}};
+           !enough || force.leaves_out_springs}};
 }
 
 // "Motors: M 65.8 N over 85.9 mm, M2 40.0 N over 21.3 mm"

@@ -23,7 +23,8 @@ Mechanics without_friction(Mechanics mechanics) {
 
 ShownHandGrasp shown_grasp(const Hand& hand, int fingers, const HandPulls& pulls, Grasp grasp) {
   const GripDemand demand = grip_demand(hand, fingers, pulls, grasp);
-  ShownHandGrasp shown{grasp, demand.motor_force_N, 0, demand.weakest, demand.motors_N, {}};
+  ShownHandGrasp shown{grasp,           demand.motor_force_N, 0, demand.weakest,
+                       demand.motors_N, demand.stretch,       {}};
   for (int f = 1; f <= fingers; ++f) {
     const HandFinger& finger = hand.finger(f);
     ShownFingerForce force;
@@ -105,6 +106,21 @@ NoPull no_pull(const Network& network, const Mechanics& mechanics, const TendonP
                                                                    : NoPull::blocked;
 }
 
+void add_known_stretch(const std::vector<ShownHandGrasp>& grasps, MotorDemand& demand) {
+  SeriesStretch stretch;
+  for (const ShownHandGrasp& grasp : grasps) stretch = greatest(stretch, grasp.stretch);
+  if (is_counted(stretch, demand.closure, demand.force_N)) demand.stretch = stretch;
+}
+
+void add_series_stretch(const MotorParts& motor, MotorDemand& demand) {
+  if (!demand.stretch || !demand.can_move()) return;
+  const double stretch_mm = demand.stretch_mm();
+  demand.stroke_mm += stretch_mm;
+  demand.strokes_mm.front() += stretch_mm;
+  demand.power_W += demand.force_N * stretch_mm / mm_in_m / motor.close_s;
+  demand.work_J += demand.stretch->work_J(demand.force_N);
+}
+
 void add_motion(const MotorParts& motor, MotorDemand& demand) {
   for (std::size_t m = 0; m < max_carriages; ++m) {
     const double stroke_mm = demand.strokes_mm[m];
@@ -112,8 +128,9 @@ void add_motion(const MotorParts& motor, MotorDemand& demand) {
     if (std::isfinite(stroke_mm)) demand.work_J += demand.motors_N[m] * stroke_mm / mm_in_m;
   }
   if (!std::isfinite(demand.stroke_mm)) demand.stroke_mm = 0;
-  demand.speed_mm_s = demand.stroke_mm / motor.close_s;
   demand.power_W = demand.work_J / motor.close_s;
+  add_series_stretch(motor, demand);
+  demand.speed_mm_s = demand.stroke_mm / motor.close_s;
   if (!motor.spool_radius_mm) return;
   constexpr double s_in_min = 60;
   demand.torque_Nm = demand.force_N * *motor.spool_radius_mm / mm_in_m;
@@ -181,12 +198,13 @@ class HandStudy {
           shown_grasp(hand_, network_.fingers, pulls_in(weighted.grasp), weighted.grasp));
       shown.grasps.back().frictionless_N = frictionless_force_N(weighted.grasp);
     }
-    add_reach(grasps, shown);
+    add_force_reach(grasps, shown);
     add_greatest_force(hand_, shown.grasps, shown.demand);
     shown.demand.no_pull =
         no_pull(network_, plain_, model_.hardware.tendon, shown.demand.grasp, shown.demand.weakest);
     add_forces(shown);
     add_closing(grasps, shown);
+    add_stroke_reach(grasps, shown);
     if (shown.motors > 1) shown.motors_alone = closings_of_each_motor(shown.motors);
     shown.closings = shown_closings(hand_, network_.fingers);
     return shown;
@@ -210,18 +228,25 @@ class HandStudy {
     return grip_demand(ideal_hand_, network_.fingers, pulls, grasp).motor_force_N;
   }
 
-  void add_reach(const GraspSet& grasps, ShownHand& shown) {
-    if (const auto force = hand_.motor.force_N) {
-      ForceReach& reach = shown.force_reach.emplace();
-      reach.motor_N = *force;
-      reach.share = std::numeric_limits<double>::infinity();
-      for (const WeightedGrasp& weighted : grasps) {
-        add_grasp(hand_, network_.fingers, weighted.grasp, pulls_in(weighted.grasp), reach);
-      }
+  void add_force_reach(const GraspSet& grasps, ShownHand& shown) {
+    const auto force = hand_.motor.force_N;
+    if (!force) return;
+    ForceReach& reach = shown.force_reach.emplace();
+    reach.motor_N = *force;
+    reach.share = std::numeric_limits<double>::infinity();
+    for (const WeightedGrasp& weighted : grasps) {
+      add_grasp(hand_, network_.fingers, weighted.grasp, pulls_in(weighted.grasp), reach);
     }
-    if (const auto stroke = hand_.motor.stroke_mm) {
-      shown.stroke_reach = stroke_reach(hand_, network_, plain_, opened(grasps), *stroke);
-    }
+  }
+
+  // Springs in series take their part of the stroke, and the fingers close by the rest.
+  void add_stroke_reach(const GraspSet& grasps, ShownHand& shown) const {
+    const auto stroke = hand_.motor.stroke_mm;
+    if (!stroke) return;
+    const double stretch_mm = std::min(shown.demand.stretch_mm(), *stroke);
+    StrokeReach reach = stroke_reach(hand_, network_, plain_, opened(grasps), *stroke - stretch_mm);
+    reach.stroke_mm += stretch_mm;
+    shown.stroke_reach = reach;
   }
 
   void add_forces(ShownHand& shown) {
@@ -293,6 +318,7 @@ class HandStudy {
         closed[f] = std::min(closed[f], closing.closed[f]);
       }
     }
+    if (shown.springs) add_known_stretch(shown.grasps, demand);
     add_motion(hand_.motor, demand);
     for (int f = 1; f <= network_.fingers; ++f) {
       const HandFinger& finger = hand_.finger(f);
@@ -300,8 +326,8 @@ class HandStudy {
       shown.fingers.push_back({f, finger.force_N, finger.excursion_mm, share});
       demand.springs_J += spring_energy(finger, share);
     }
-    if (shown.motors > 1) return;
-    demand.friction_J = demand.work_J - demand.force_N * to_fingers;
+    if (shown.motors > 1 || (demand.stretch && !demand.stretch->is_lossless)) return;
+    demand.friction_J = demand.work_J - demand.series_J() - demand.force_N * to_fingers;
     demand.fingers_J = demand.force_N * to_fingers - demand.springs_J;
   }
 

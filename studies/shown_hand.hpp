@@ -3,16 +3,19 @@
 //   motor force F     least motor tension at which every finger presses with its wanted force in
 //                     every grasp (core/hand.hpp), at the nominal coefficients
 //                     (with several motors, of the one that needs most: motor_force.hpp)
-//   stroke D          of the carriage from the open hand (core/hand_closing.hpp)
+//   stroke D          of the carriage from the open hand (core/hand_closing.hpp), and what springs
+//                     in series then take at F (core/series_stretch.hpp), D = D₀ + ΔD
 //   speed             D over the time to close
-//   work, power       Σ F D over the motors, and that over the time to close: at most, if the hand
-//                     closes against F all the way
+//   work              Σ F D₀ over the motors, at most, if the hand closes against F all the way;
+//                     and the work of stretching springs in series while the force rises to F
+//   power             Σ F D over the time to close, at most
 //   torque            F times the spool's radius; the spool turns with speed over radius
 //   friction cost     1 − F0 / F, F0 the motor force of the same hand without any friction
 //
-// The work F D of one motor parts into what the springs keep, what friction takes, and what is left
-// to the fingers: work at objects and stops. In a finger that does not close whole, all joints
-// stand at the same share of their ranges.
+// The work of one motor parts into what the springs keep, in fingers and in series, what friction
+// takes, and what is left to the fingers: work at objects and stops. In a finger that does not
+// close whole, all joints stand at the same share of their ranges. Friction and fingers are not
+// told apart if springs in series stretch with other work than what they store.
 #pragma once
 
 #include <cstddef>
@@ -85,6 +88,7 @@ struct ShownHandGrasp {
   double frictionless_N = 0;
   int weakest = 0;
   MotorArray motors_N{};  // force of each motor
+  SeriesStretch stretch{};
   std::vector<ShownFingerForce> fingers;
 };
 
@@ -119,14 +123,18 @@ struct MotorDemand {
   double work_J = 0;
   double power_W = 0;
   double springs_J = 0;
-  double friction_J = std::numeric_limits<double>::quiet_NaN();  // of one motor only
+  double friction_J = std::numeric_limits<double>::quiet_NaN();  // if it is told apart
   double fingers_J = std::numeric_limits<double>::quiet_NaN();   // likewise
+  std::optional<SeriesStretch> stretch{};  // of springs in series, if the stroke counts it
   std::optional<double> torque_Nm{};
   std::optional<double> spool_rpm{};
 
   // Otherwise the carriage is blocked from the open hand on: there is no stroke, nor what follows
   // from one.
   bool can_move() const { return stroke_mm > 0; }
+  // Part of the stroke that springs in series take, and of the work that they store.
+  double stretch_mm() const { return stretch ? stretch->travel_mm(force_N) : 0; }
+  double series_J() const { return stretch ? stretch->stored_J(force_N) : 0; }
   double friction_cost() const { return force_N > 0 ? 1 - frictionless_N / force_N : 0; }
 };
 
@@ -144,7 +152,8 @@ struct ShownHand {
   MotorDemand demand;
   MotorParts motor;
   int motors = 1;
-  bool springs = false;  // in series with tendons, whose stretch nothing here counts
+  bool springs = false;  // in series with tendons
+  bool leaves_out_springs() const { return springs && !demand.stretch; }
   // Of several motors each by itself, from the open hand on: the other carriages stand still.
   std::vector<HandClosing> motors_alone{};
   // The motor force with its quantile over draws, where somebody asked for it; its nominal one is

@@ -154,7 +154,21 @@ HandOutcome DesignEvaluator::hand_outcome() {
       outcome.stroke_mm = std::max(outcome.stroke_mm, stroke);
     }
   }
+  if (!mechanics_.springs_mm.empty()) add_series_stretch(outcome);
   return outcome;
+}
+
+// Of the grasps that are evaluated already, at the force of the motor.
+void DesignEvaluator::add_series_stretch(HandOutcome& hand) const {
+  SeriesStretch stretch;
+  for (const GraspOutcome& grasp : outcome_.grasps) {
+    stretch = greatest(stretch, grasp.grip.stretch);
+  }
+  const double force_N = motor_forces(outcome_).front();
+  hand.leaves_out_springs = !is_counted(stretch, hand.closure, force_N);
+  if (hand.leaves_out_springs) return;
+  hand.strokes_mm.front() += stretch.travel_mm(force_N);
+  hand.stroke_mm = hand.strokes_mm.front();
 }
 
 const DesignOutcome& DesignEvaluator::outcome(const Routing& routing,

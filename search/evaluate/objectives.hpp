@@ -83,7 +83,8 @@ struct HandOutcome {
   double stroke_mm = 0;  // greatest of the motors; infinite if no finger of one can close
   double closure = 0;
   double close_s = 0;
-  MotorArray strokes_mm{};  // of each motor
+  MotorArray strokes_mm{};          // of each motor
+  bool leaves_out_springs = false;  // in series with tendons, whose stretch is not known
 };
 
 struct DesignOutcome {

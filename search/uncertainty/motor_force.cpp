@@ -36,11 +36,6 @@ std::vector<MotorNeed> motor_needs(const DesignOutcome& design, int motors) {
   return needs;
 }
 
-bool has_springs(const TendonParts& tendons) {
-  return std::any_of(tendons.own.begin(), tendons.own.end(),
-                     [](const TendonHardware& own) { return own.stiffness_N_mm.has_value(); });
-}
-
 }  // namespace
 
 std::optional<MotorForce> motor_force(const Routing& routing, const UncertaintyOptions& options) {
@@ -59,7 +54,7 @@ std::optional<MotorForce> motor_force(const Routing& routing, const UncertaintyO
       .ranges = options.ranges,
       .stroke_mm = value(values, Objective::stroke),
       .closure = value(values, Objective::closure),
-      .springs = has_springs(options.nominal.hardware.tendon),
+      .leaves_out_springs = design.hand.leaves_out_springs,
       .least_work_J = least_work_J(options.nominal.hardware, finger_count(routing), options.grasps),
       .motors = motor_needs(design, carriage_count(routing))};
 }

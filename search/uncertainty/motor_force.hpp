@@ -45,10 +45,10 @@ struct MotorForce {
   double p95_N = 0;
   std::size_t draws = 0;
   std::uint64_t seed = 0;
-  UncertaintyRanges ranges{};  // that the draws are of
-  double stroke_mm = 0;        // infinite if the carriage cannot move from the open hand
-  double closure = 1;          // at that stroke; below 1 if the carriage is then blocked
-  bool springs = false;        // in series with some tendon, whose stretch the stroke leaves out
+  UncertaintyRanges ranges{};       // that the draws are of
+  double stroke_mm = 0;             // infinite if the carriage cannot move from the open hand
+  double closure = 1;               // at that stroke; below 1 if the carriage is then blocked
+  bool leaves_out_springs = false;  // in series with tendons, whose stretch is not in the stroke
   double least_work_J = 0;
   std::vector<MotorNeed> motors{};  // of each motor
 

@@ -125,15 +125,74 @@ TEST(HandSections, HaveAColumnForEachOfSeveralMotorsAndNoPartsOfTheirWork) {
 TEST(MotorLines, SayThatAStrokeLeavesOutTheStretchOfSprings) {
   MotorParts motor;
   motor.stroke_mm = 40;
-  MotorForce force{.nominal_N = 50, .p95_N = 60, .draws = 10, .stroke_mm = 30, .springs = true};
+  MotorForce force{
+      .nominal_N = 50, .p95_N = 60, .draws = 10, .stroke_mm = 30, .leaves_out_springs = true};
   const auto line = [&] { return reports::motor_lines(force, motor).at(1); };
   EXPECT_EQ(line().text,
             "The motor's stroke of 40 mm is enough, if springs in series do not stretch: 75.0 % "
             "of it is needed");
   EXPECT_TRUE(line().caveat);
-  force.springs = false;
+  force.leaves_out_springs = false;
   EXPECT_EQ(line().text, "The motor's stroke of 40 mm is enough: 75.0 % of it is needed");
   EXPECT_FALSE(line().caveat);
+}
+
+ShownHand sprung_hand(const std::string& word, double stroke_mm, double stiffness_N_mm) {
+  Hardware hardware = hardware_of(stroke_mm, 2);
+  hardware.tendon = {.EA_N = 20000, .own = {{.tendon = 1, .stiffness_N_mm = stiffness_N_mm}}};
+  const Network network = expand(parse_routing(word));
+  return *studies::shown_hand(network, word, Model{hardware}, single_grasps(2));
+}
+
+std::string said_of(const ShownHand& hand) {
+  Document document;
+  for (const Section& section : reports::hand_sections(hand)) document.add(section);
+  return text(document);
+}
+
+TEST(HandSections, SayWhatSpringsInSeriesTakeOfStrokeAndWork) {
+  const ShownHand hand = sprung_hand("M-1-T-2-F", 40, 5);
+  const double force_N = hand.demand.force_N;
+  const std::string said = said_of(hand);
+  EXPECT_TRUE(testing::has(said, fmt::format(" mm/s. Springs in series take {:.4g} mm of it, at "
+                                             "{:.4g} N\n",
+                                             force_N / 5, force_N)))
+      << said;
+  EXPECT_TRUE(testing::has(
+      said, fmt::format(", springs in series {:.3g} J, friction takes ", force_N * force_N / 1e4)))
+      << said;
+  EXPECT_TRUE(testing::has(said, fmt::format("With 40 mm of stroke, of which springs in series "
+                                             "take {:.4g} mm at {:.4g} N, the hand closes to ",
+                                             std::min(40.0, force_N / 5), force_N)))
+      << said;
+  Json json;
+  reports::add_hand(json, hand);
+  EXPECT_NEAR(json["motor"]["stretch_mm"].get<double>(), force_N / 5, 1e-9);
+  EXPECT_NEAR(json["motor"]["series_springs_J"].get<double>(), force_N * force_N / 1e4, 1e-9);
+  EXPECT_FALSE(motor_of("M-1-T-2-F", 40, 2).contains("stretch_mm"));
+}
+
+TEST(HandSections, SayThatAStrokeLeavesOutSpringsThatAreTooSoft) {
+  const ShownHand hand = sprung_hand("M-1-P-2-F", 10, 5);
+  const std::string said = said_of(hand);
+  EXPECT_TRUE(testing::has(said, " s, if springs in series do not stretch: ")) << said;
+  EXPECT_TRUE(testing::has(said, "stroke, if springs in series do not stretch, the hand")) << said;
+  Json json;
+  reports::add_hand(json, hand);
+  EXPECT_TRUE(json["motor"]["stretch_mm"].is_null());
+  EXPECT_TRUE(json["motor"]["series_springs_J"].is_null());
+}
+
+TEST(HandSections, SayThatSpringsBesideSeveralEndsHideFriction) {
+  const ShownHand hand = sprung_hand("M-1-P-2-F", 60, 2000);
+  ASSERT_TRUE(hand.demand.stretch);
+  EXPECT_TRUE(testing::has(said_of(hand),
+                           " J, and friction and fingers are not told apart, since "
+                           "several ends hang on the motor beside springs in "
+                           "series; power"));
+  Json json;
+  reports::add_hand(json, hand);
+  EXPECT_TRUE(json["motor"]["friction_J"].is_null());
 }
 
 // The tendon without a finger is tied at both ends.

@@ -95,8 +95,8 @@ TEST(SharedCarriage, IsSharedByTheSpringsAndSlackThatAreGiven) {
   const std::string springs = said({.tendon = 1, .stiffness_N_mm = 5});
   EXPECT_TRUE(has(springs,
                   "their shares of its pull follow from the springs given, and assume no "
-                  "slack; a slack tendon carries less; jams, stroke and motor force leave out "
-                  "the stretch of springs"))
+                  "slack; a slack tendon carries less; jams and motor force leave out the stretch "
+                  "of springs"))
       << springs;
   const std::string slack = said({.tendon = 1, .slack_mm = 50});
   EXPECT_TRUE(has(slack,
@@ -105,8 +105,8 @@ TEST(SharedCarriage, IsSharedByTheSpringsAndSlackThatAreGiven) {
       << slack;
   EXPECT_TRUE(has(slack, "It jams when finger 2 is held (1 of 3 grasps)")) << slack;
   EXPECT_TRUE(has(said({.tendon = 1, .stiffness_N_mm = 5, .slack_mm = 5}),
-                  "follow from the springs and the slack given; jams, stroke and motor force "
-                  "leave out the stretch of springs"));
+                  "follow from the springs and the slack given; jams and motor force leave out "
+                  "the stretch of springs"));
 }
 
 TEST(SharedCarriage, NamesTheCarriagesOfSeveralMotors) {

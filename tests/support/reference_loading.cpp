@@ -15,12 +15,11 @@ namespace reeve::testing {
 namespace reference {
 namespace {
 
-constexpr Real take_up = 1e-5L;  // eps
-
 // Unknowns of a step: the slip of each contact, then the z of each block.
 class Loading {
  public:
-  explicit Loading(const Tree& tree) : tree_(tree), moves_(tree.length.size(), unknowns()) {
+  Loading(const Tree& tree, Real take_up)
+      : tree_(tree), take_up_(take_up), moves_(tree.length.size(), unknowns()) {
     moves_.setZero();
     for (std::size_t k = 0; k < tree.contacts.size(); ++k) {
       const auto column = static_cast<Index>(k);
@@ -32,9 +31,9 @@ class Loading {
   }
 
   Vector pull(int steps) {
-    const Vector closed = (1 - take_up) * tree_.give;
+    const Vector closed = (1 - take_up_) * tree_.give;
     const Vector step = (tree_.motor - closed) / static_cast<Real>(steps);
-    const Real start = tree_.elastic.sum() * take_up / static_cast<Real>(steps);
+    const Real start = tree_.elastic.sum() * take_up_ / static_cast<Real>(steps);
     Vector elongation = tree_.length * (start / tree_.length.sum());
     Vector moved = Vector::Zero(unknowns());
     for (int n = 0; n < steps; ++n) {
@@ -116,6 +115,7 @@ class Loading {
   }
 
   const Tree& tree_;
+  Real take_up_;  // eps
   Matrix moves_;  // lengths that each segment needs more
   Matrix ease_;   // and its tension for it
 };
@@ -123,23 +123,31 @@ class Loading {
 }  // namespace
 }  // namespace reference
 
-std::map<std::string, double> loaded_tensions(const std::string& word, const std::set<int>& held,
-                                              const ReferenceHardware& hardware, int steps) {
+LoadedPull loaded_pull(const std::string& word, const std::set<int>& held,
+                       const ReferenceHardware& hardware, int steps, double take_up) {
   using namespace reference;
   const std::vector<Tendon> tendons = read_tendons(word);
-  std::map<std::string, double> tension;
+  LoadedPull pull;
   Real motor = 0;
   for (const Tree& tree : pose_trees(tendons, held, ReferenceDirection::pull, hardware)) {
     if (tree.jams) throw std::invalid_argument("reference loading: the grasp jams");
-    const Vector found = Loading(tree).pull(steps);
+    const Vector found = Loading(tree, take_up).pull(steps);
     motor += tree.motor.dot(found);
     for (const Span& span : tree.spans)
       for (Index i = 0; i < span.segments; ++i)
-        tension[tendons[span.tendon].segments[static_cast<std::size_t>(i)].name] =
+        pull.tension[tendons[span.tendon].segments[static_cast<std::size_t>(i)].name] =
             static_cast<double>(found(span.segment + i));
   }
-  for (auto& [segment, value] : tension) value /= static_cast<double>(motor);
-  return tension;
+  pull.motor = static_cast<double>(motor);
+  return pull;
+}
+
+std::map<std::string, double> loaded_tensions(const std::string& word, const std::set<int>& held,
+                                              const ReferenceHardware& hardware, int steps) {
+  constexpr double nearly_stiff = 1e-5;
+  LoadedPull pull = loaded_pull(word, held, hardware, steps, nearly_stiff);
+  for (auto& [segment, tension] : pull.tension) tension /= pull.motor;
+  return pull.tension;
 }
 
 }  // namespace reeve::testing

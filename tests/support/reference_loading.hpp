@@ -19,6 +19,15 @@
 
 namespace reeve::testing {
 
+// At D = 1 and EA = 1.
+struct LoadedPull {
+  std::map<std::string, double> tension;  // by segment name
+  double motor = 0;
+};
+// The tendons take up `take_up`, eps, of the travel: not only in the limit of stiff tendons.
+LoadedPull loaded_pull(const std::string& word, const std::set<int>& held,
+                       const ReferenceHardware& hardware, int steps, double take_up);
+
 // By segment name; the motor-side segments sum to 1. Throws std::invalid_argument as the reference
 // model does and where the grasp jams, std::logic_error where a tendon goes slack and where a step
 // finds no state: the Newton steps of one in twenty mechanisms, mostly with loops, chase each
