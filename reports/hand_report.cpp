@@ -226,6 +226,13 @@ void add_reach_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
              : fmt::format("With {:.4g} N not every finger closes and presses: {}", reach.motor_N,
                            where)});
   }
+  if (hand.motor.stroke_mm && !hand.stroke_reach) {
+    lines.push_back(
+        {fmt::format("With {:.4g} mm of stroke it is not known how far the hand closes: "
+                     "tendon slips back at springs in series",
+                     *hand.motor.stroke_mm),
+         true});
+  }
   if (!hand.stroke_reach) return;
   const StrokeReach& reach = *hand.stroke_reach;
   if (reach.closure < hand.demand.closure) {

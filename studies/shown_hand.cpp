@@ -112,6 +112,11 @@ void add_known_stretch(const std::vector<ShownHandGrasp>& grasps, MotorDemand& d
   if (is_counted(stretch, demand.closure, demand.force_N)) demand.stretch = stretch;
 }
 
+// True if tendon slips back at springs in series when fingers close by a part of the stroke alone.
+bool slips_back(const MotorDemand& demand, double closing_mm) {
+  return demand.stretch && demand.stretch->sliding_mm_N * demand.force_N > closing_mm;
+}
+
 void add_series_stretch(const MotorParts& motor, MotorDemand& demand) {
   if (!demand.stretch || !demand.can_move()) return;
   const double stretch_mm = demand.stretch_mm();
@@ -244,6 +249,7 @@ class HandStudy {
     const auto stroke = hand_.motor.stroke_mm;
     if (!stroke) return;
     const double stretch_mm = std::min(shown.demand.stretch_mm(), *stroke);
+    if (*stroke < shown.demand.stroke_mm && slips_back(shown.demand, *stroke - stretch_mm)) return;
     StrokeReach reach = stroke_reach(hand_, network_, plain_, opened(grasps), *stroke - stretch_mm);
     reach.stroke_mm += stretch_mm;
     shown.stroke_reach = reach;

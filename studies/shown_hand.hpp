@@ -4,7 +4,8 @@
 //                     every grasp (core/hand.hpp), at the nominal coefficients
 //                     (with several motors, of the one that needs most: motor_force.hpp)
 //   stroke D          of the carriage from the open hand (core/hand_closing.hpp), and what springs
-//                     in series then take at F (core/series_stretch.hpp), D = D₀ + ΔD
+//                     in series take at F, the greatest of the grasps (core/series_stretch.hpp):
+//                     D = D₀ + ΔD
 //   speed             D over the time to close
 //   work              Σ F D₀ over the motors, at most, if the hand closes against F all the way;
 //                     and the work of stretching springs in series while the force rises to F

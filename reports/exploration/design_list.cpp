@@ -175,6 +175,17 @@ void add_places_and_draws(const std::vector<ListedDesign>& designs, Table& table
   }
 }
 
+// Without a stretch that is not known, a stroke looks shorter than those of other designs.
+std::vector<DocumentLine> spring_lines(const std::vector<ListedDesign>& shown,
+                                       const TendonParts& tendons) {
+  const bool has_springs = std::ranges::any_of(
+      tendons.own, [](const TendonHardware& own) { return own.stiffness_N_mm.has_value(); });
+  const bool has_hands = std::ranges::any_of(
+      shown, [](const ListedDesign& design) { return has_hand(design.ranked.design.values); });
+  if (!has_springs || !has_hands) return {};
+  return {{"Strokes leave out the stretch of springs in series where reeve show says so"}};
+}
+
 }  // namespace
 
 std::vector<std::string> list_column_names(const ListedWith& with) {
@@ -266,6 +277,7 @@ std::vector<DocumentLine> list_notes(const std::vector<ListedDesign>& shown,
                                      const TendonParts& tendons) {
   std::vector<DocumentLine> lines = equivalent_lines(shown);
   append(lines, shared_carriage_lines(shown, tendons));
+  append(lines, spring_lines(shown, tendons));
   return lines;
 }
 

@@ -49,6 +49,20 @@ TEST(DesignCsv, HasOneHeaderAndOneLineForEachDesign) {
             "16.5,17.5,18.5,19.5,20.5,21.5,22.5,23.5,24.5,,,0\n");
 }
 
+TEST(ListNotes, SayThatSomeStrokesLeaveOutSpringsInSeries) {
+  const TendonParts sprung{1000, {}, {{1, 5.0, {}}}};
+  const auto says_so = [](const ListedDesign& listed, const TendonParts& tendons) {
+    Document document;
+    document.add({"", std::nullopt, list_notes({listed}, tendons)});
+    return testing::has(text(document),
+                        "Strokes leave out the stretch of springs in series where "
+                        "reeve show says so");
+  };
+  EXPECT_TRUE(says_so(design("TR0"), sprung));
+  EXPECT_FALSE(says_so(without_hand(design("TR0")), sprung));
+  EXPECT_FALSE(says_so(design("TR0"), {}));
+}
+
 TEST(DesignCsv, AddsSixColumnsWithAHand) {
   const std::string csv = design_csv({design("TR0")});
   EXPECT_TRUE(testing::has(

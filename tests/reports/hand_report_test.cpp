@@ -183,6 +183,12 @@ TEST(HandSections, SayThatAStrokeLeavesOutSpringsThatAreTooSoft) {
   EXPECT_TRUE(json["motor"]["series_springs_J"].is_null());
 }
 
+TEST(HandSections, SayThatTheClosingByAShortStrokeIsNotKnownWhereTendonSlipsBack) {
+  EXPECT_TRUE(testing::has(said_of(sprung_hand("M-1-P-2-F", 0.01, 2000)),
+                           "With 0.01 mm of stroke it is not known how far the hand closes: tendon "
+                           "slips back at springs in series"));
+}
+
 TEST(HandSections, SayThatSpringsBesideSeveralEndsHideFriction) {
   const ShownHand hand = sprung_hand("M-1-P-2-F", 60, 2000);
   ASSERT_TRUE(hand.demand.stretch);

@@ -211,6 +211,18 @@ TEST(SeriesSprings, TakeTheirPartOfAStrokeThatIsTooShort) {
   EXPECT_EQ(shown_of("M-1-F", hardware).stroke_reach->closure, 0);
 }
 
+// D₀ of 8 ΔD is needed, as above.
+TEST(SeriesSprings, LeaveTheClosingByAShortStrokeOpenWhereTendonSlipsBack) {
+  Hardware hardware = sprung_hand({12, 12}, {{1, 2000.0, {}}});
+  const MotorDemand demand = demand_of("M-1-P-2-F", hardware);
+  ASSERT_TRUE(demand.stretch);
+  hardware.motor.stroke_mm = 9.1 * demand.stretch_mm();
+  ASSERT_LT(*hardware.motor.stroke_mm, demand.stroke_mm);
+  EXPECT_TRUE(shown_of("M-1-P-2-F", hardware).stroke_reach);
+  hardware.motor.stroke_mm = 8.9 * demand.stretch_mm();
+  EXPECT_FALSE(shown_of("M-1-P-2-F", hardware).stroke_reach);
+}
+
 TEST(SeriesSprings, AreTheSameInTheObjectivesAndTheMotorForce) {
   for (const char* const word : {"M-1-P-2-F", "M-1-T-2-F"}) {
     for (const double stiffness : {200.0, 1.0}) {
