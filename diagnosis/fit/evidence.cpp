@@ -290,6 +290,9 @@ namespace {
 // The scale s0 is expected about `scale`.
 Likelihood seen_at(const Dataset& dataset, const ScatterShape& shape, const Forecast& at,
                    const ScatterLevel& level, double scale) {
+  constexpr double of_normal = 0.6745;
+  constexpr int most_rounds = 5;
+  constexpr double settled = 1.1;
   VectorXd deviation_N = deviations_if_near(dataset, shape.scatter.noise, at.reading_N);
   const MountedScatter scatter = scatter_at(shape, level, scale);
   const auto seen = [&] {
@@ -307,11 +310,16 @@ Likelihood seen_at(const Dataset& dataset, const ScatterShape& shape, const Fore
   result.level = level;
   result.problem = seen();
   VectorXd left = residuals(result.problem, at);
-  constexpr double of_normal = 0.6745;
-  const double middle = std::max(median_size(left) / of_normal, least_fitted_scale);
-  const VectorXd beyond = (left.cwiseAbs() / (outlying * middle)).cwiseMax(1);
-  if (beyond.maxCoeff() > 1) {
-    deviation_N = deviation_N.cwiseProduct(beyond);
+  // A far reading draws its mounting towards it, so that others of that seem far, too, until it
+  // weighs less.
+  VectorXd beyond = VectorXd::Ones(left.size());
+  for (int round = 0; round < most_rounds; ++round) {
+    const VectorXd before = beyond;
+    const double middle = std::max(median_size(left) / of_normal, least_fitted_scale);
+    beyond = (left.cwiseAbs().cwiseProduct(before) / (outlying * middle)).cwiseMax(1);
+    const VectorXd change = beyond.cwiseQuotient(before);
+    if (change.maxCoeff() < settled && change.minCoeff() > 1 / settled) break;
+    deviation_N = deviation_N.cwiseProduct(change);
     result.problem = seen();
     if (shape.set_motor_N) spread_motor(result.problem, beyond);
     left = residuals(result.problem, at);
