@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/hardware.hpp"
+#include "search/enumerate/generator_options.hpp"
 #include "search/enumerate/numbering.hpp"
 #include "search/enumerate/tendon_generator.hpp"
 #include "search/enumerate/tree_generator.hpp"
@@ -55,11 +56,6 @@ class RoutingGenerator {
   Routing of_one_motor_;                        // the routing that gets motor numbers
   std::uint64_t place_ = 0;                     // place of the next routing of several motors
   StopCheck check_;
-};
-
-struct ShardRange {
-  std::uint64_t begin = 0;
-  std::uint64_t end = 0;
 };
 
 // The i-th of n parts of 0 … total, i from 1: all parts together are exactly the whole.

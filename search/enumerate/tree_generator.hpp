@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "search/enumerate/tendon_generator.hpp"
@@ -71,7 +72,7 @@ class TreeGenerator {
   GeneratorOptions options_;
   TreeGrammar grammar_;
   TreeWriter writer_;
-  std::vector<TendonGenerator> others_;  // [fingers - 1]
+  std::deque<TendonGenerator> others_;  // [fingers - 1]
   std::vector<Cell> cells_;
   std::uint64_t total_ = 0;
 

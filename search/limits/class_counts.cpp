@@ -49,8 +49,10 @@ BeadKinds<ClassCounts> kinds_by_class(const PartClasses& classes, const PartSet&
     for (const TokenKind kind : of) ++counts[classes.of(plain(kind))];
     return counts;
   };
-  BeadKinds<ClassCounts> beads{no_counts(classes), kinds(parts.joins), kinds(parts.ends),
-                               no_counts(classes)};
+  ClassCounts beside = kinds(parts.beside);
+  ++beside[PartClasses::none];  // an end alone
+  BeadKinds<ClassCounts> beads{no_counts(classes), kinds(parts.joins),
+                               product(classes, kinds(parts.ends), beside), no_counts(classes)};
   for (const TipKind tip : parts.tips) ++beads.tips[classes.of(finger(0, tip))];
   if (parts.anchored) ++beads.anchors[classes.of(anchored_tip(0))];
   return beads;

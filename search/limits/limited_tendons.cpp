@@ -18,10 +18,11 @@ LimitedTendons::LimitedTendons(const PartClasses& classes, const PartSet& parts,
       one_tendon_(one_tendon),
       shapes_(tendon_counts(parts, fingers, FingerIdentity::identical)),
       shape_counts_(shape_counts(classes, parts, fingers)),
-      set_counts_(shape_sets(classes, shape_counts_)),
+      set_counts_(shape_sets(
+          classes, one_tendon ? std::vector<ClassCounts>{shape_counts_.front()} : shape_counts_)),
       listed_(classes, parts, shapes_, longest_list) {
   for (ClassCounts& counts : shape_counts_) counts = of_trees(classes, counts);
-  for (int largest = 0; largest <= fingers; ++largest) {
+  for (int largest = 0; largest <= (one_tendon ? 0 : fingers); ++largest) {
     sets_.push_back(tendon_sets(shapes_, largest, FingerIdentity::identical));
     std::vector<ClassSet>& sums = can_be_filled_.emplace_back();
     for (const ClassCounts& counts : set_counts_[static_cast<std::size_t>(largest)]) {
@@ -259,7 +260,7 @@ void LimitedTendons::choose(Level& level, std::uint64_t& index) {
   std::uint64_t high = listed_.count(level.shape.size);
   ListedShape tried;
   tried.size = level.shape.size;
-  while (high - low > 1) {
+  while (index > 0 && high - low > 1) {
     tried.index = low + (high - low) / 2;
     (all - from(tried, level.open) <= index ? low : high) = tried.index;
   }

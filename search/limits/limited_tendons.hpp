@@ -1,9 +1,12 @@
 // The routings without floating blocks whose parts are within limits, in the order and at the
 // places of all of them (enumerate/tendon_generator.hpp), for identical fingers.
 //
-// A routing is a sequence of tendons, none before the one in front of it. As soon as the tendons
-// that are chosen leave no way to fill the other fingers within the limits, none is tried: which
-// sums of parts any number of fingers can still come to is counted beforehand (class_counts.hpp).
+// A routing is a sequence of tendons, none before the one in front of it, so this is an odometer of
+// tendons: the last one moves to its next shape, and when it has no more, it goes and the one
+// before moves. As soon as the tendons that are chosen leave no way to fill the other fingers
+// within the limits, none is tried: which sums of parts any number of fingers can still come to is
+// counted beforehand (class_counts.hpp).
+//
 // What is passed over is not made either to know how much it is: of the sequences that begin alike,
 // those whose next tendon is shape i of size s or a later one are
 //   N(s, i) = Σ_m multichoose(shapes(s) - i, m) sets(tendons below s, fingers - m s),
@@ -23,7 +26,7 @@
 
 #include "core/hardware.hpp"
 #include "core/routing.hpp"
-#include "search/enumerate/generator.hpp"
+#include "search/enumerate/generator_options.hpp"
 #include "search/evaluate/routing_beginning.hpp"
 #include "search/limits/beginning_counts.hpp"
 #include "search/limits/listed_shapes.hpp"

@@ -101,12 +101,18 @@ bool ListedShapes::next(ListedShape& shape) {
     advance_to(shape, shape.index + 1);
     return true;
   }
+  if (classes_.count() == 1) {
+    // Of shapes that are all alike nobody asks how many of which were passed.
+    ++shape.index;
+    return shape.cursor.next(parts_);
+  }
   one_.assign(classes_.count(), 0);
   one_[shape.parts] = 1;
   return next_beyond(shape, shape.cursor.shape().walk.size(), one_);
 }
 
 void ListedShapes::advance_to(ListedShape& shape, std::uint64_t index) {
+  if (shape.index == index) return;
   if (const List* const listed = list(shape.size)) {
     shape.index = index;
     shape.parts = listed->parts[index];

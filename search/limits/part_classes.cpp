@@ -116,11 +116,14 @@ PartClasses::PartClasses(const std::vector<Constraint>& constraints,
                          const GeneratorOptions& generator) {
   const std::size_t many = decided_by_parts(constraints, generator);
   constraints_.assign(constraints.begin(), constraints.begin() + static_cast<std::ptrdiff_t>(many));
-  count_ = 2;  // the mark is the last bit
   for (const CountedSum& sum : sums_for(constraints, many, generator)) {
     sums_of_.push_back({sum.objective, sum.greatest, count_});
     count_ *= sum.greatest + 1;
   }
+  number_all();
+}
+
+void PartClasses::number_all() {
   add_up();
   for (std::size_t key = 0; key <= 2 * static_cast<std::size_t>(TokenKind::movable_pulley) + 1;
        ++key) {
@@ -140,7 +143,7 @@ PartClasses::PartClasses(const std::vector<Constraint>& constraints,
 void PartClasses::add_up() {
   for (std::size_t a = 0; a < count_; ++a) {
     for (std::size_t b = 0; b < count_; ++b) {
-      std::size_t sum = (a | b) & 1U;
+      std::size_t sum = (a | b) & mark_;
       for (const Sum& of : sums_of_) {
         const std::size_t size = of.greatest + 1;
         const std::size_t both = a / of.radix % size + b / of.radix % size;
@@ -152,7 +155,7 @@ void PartClasses::add_up() {
 }
 
 PartClass PartClasses::of(const PartCount& parts, bool mark) const {
-  std::size_t number = mark ? 1 : 0;
+  std::size_t number = mark ? mark_ : 0;
   for (const Sum& sum : sums_of_) {
     number += std::min(counted(parts, sum.objective), sum.greatest) * sum.radix;
   }
@@ -182,7 +185,7 @@ PartClass PartClasses::of(const Routing& routing) const {
 }
 
 std::size_t PartClasses::evaluated(PartClass whole) const {
-  if ((whole & 1U) != 0) return not_actuated;
+  if ((whole & mark_) != 0) return not_actuated;
   ObjectiveValues values{};
   for (const Sum& sum : sums_of_) {
     value(values, sum.objective) = static_cast<double>(whole / sum.radix % (sum.greatest + 1));

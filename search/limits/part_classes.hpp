@@ -15,7 +15,7 @@
 
 #include "core/performance.hpp"
 #include "core/routing.hpp"
-#include "search/enumerate/tendon_generator.hpp"
+#include "search/enumerate/generator_options.hpp"
 #include "search/evaluate/objectives.hpp"
 
 namespace reeve::search {
@@ -39,6 +39,8 @@ std::size_t decided_by_parts(const std::vector<Constraint>& constraints,
 
 class PartClasses {
  public:
+  // All routings are alike, actuated or not, and within the limits.
+  PartClasses() : count_(1), mark_(0) { number_all(); }
   // Takes as many of the first constraints as parts decide.
   PartClasses(const std::vector<Constraint>& constraints, const GeneratorOptions& generator);
 
@@ -54,7 +56,7 @@ class PartClasses {
   PartClass of_loop() const { return loop_; }
   PartClass of(const Tendon& tendon) const;
   // Class of a tree among others. The mark says that it does not hang on the motor.
-  PartClass of_tree(PartClass tree) const { return static_cast<PartClass>(tree ^ 1U); }
+  PartClass of_tree(PartClass tree) const { return static_cast<PartClass>(tree ^ mark_); }
   // Class of a routing without blocks, or of one tree of a routing with blocks.
   PartClass of(const Routing& routing) const;
 
@@ -71,11 +73,13 @@ class PartClasses {
 
   PartClass of(const PartCount& parts, bool mark) const;
   std::size_t evaluated(PartClass whole) const;
+  void number_all();
   void add_up();
 
   std::vector<Constraint> constraints_;
   std::vector<Sum> sums_of_;
-  std::size_t count_ = 0;
+  std::size_t count_ = 2;
+  unsigned mark_ = 1;            // the last bit of a class, unless all are alike
   std::vector<PartClass> sums_;  // [a * count + b]
   std::vector<PartClass> of_tokens_;
   PartClass loop_ = none;
