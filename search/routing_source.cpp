@@ -5,7 +5,7 @@
 namespace reeve::search {
 namespace {
 
-// True if the generators of limits/ support these options.
+// True if the generator passes over what is beyond limits for these options.
 bool may_be_limited(const GeneratorOptions& generator) {
   return generator.identity == FingerIdentity::identical && generator.parts.motors == 1 &&
          generator.parts.beside.empty();
@@ -17,6 +17,11 @@ bool is_limited(const GeneratorOptions& generator, bool prunes) {
   return prunes || (may_be_limited(generator) && generator.parts.blocks == 0);
 }
 
+PartClasses classes_of(const ExploreOptions& options, bool prunes) {
+  if (!is_limited(options.generator, prunes)) return {};
+  return {prunes ? options.constraints : std::vector<Constraint>{}, options.generator};
+}
+
 }  // namespace
 
 std::size_t pruning_constraints(const ExploreOptions& options) {
@@ -25,48 +30,39 @@ std::size_t pruning_constraints(const ExploreOptions& options) {
 }
 
 RoutingSource::RoutingSource(const ExploreOptions& options, bool prunes)
-    : all_(options.generator), prunes_(prunes) {
-  if (!is_limited(options.generator, prunes)) return;
-  limited_.emplace(options.generator, prunes ? options.constraints : std::vector<Constraint>{});
-}
+    : prunes_(prunes),
+      is_limited_(is_limited(options.generator, prunes)),
+      generator_(options.generator, classes_of(options, prunes)) {}
 
 void RoutingSource::stop_with(const std::atomic<bool>* stop) {
   check_ = StopCheck(stop);
-  all_.stop_with(check_);
-  if (limited_) limited_->stop_with(check_);
+  generator_.stop_with(check_);
 }
 
 void RoutingSource::seek(std::uint64_t begin, std::uint64_t end) {
-  place_ = begin;
   end_ = end;
-  if (limited_) {
-    limited_->seek(begin);
-  } else {
-    all_.seek(begin);
-  }
+  generator_.seek(begin);
 }
 
 bool RoutingSource::next(Routing& routing, std::uint64_t& place) {
-  if (limited_) return limited_->next(routing, place) && place < end_;
-  while (place_ < end_) {
+  while (generator_.next(routing, place) && place < end_) {
+    if (is_limited_ || is_actuated(routing)) return true;
     check_.step();
-    all_.next(routing);
-    place = place_++;
-    if (is_actuated(routing)) return true;
   }
   return false;
 }
 
 bool RoutingSource::leave_out_unwanted(const Hardware& hardware, IsWanted is_wanted) {
-  leaves_out_unwanted_ = limited_ && limited_->leave_out_unwanted(hardware, std::move(is_wanted));
+  leaves_out_unwanted_ =
+      is_limited_ && generator_.leave_out_unwanted(hardware, std::move(is_wanted));
   return leaves_out_unwanted_;
 }
 
 std::optional<RoutingSource::LeftOutPlace> RoutingSource::place_left_out(const Routing& routing) {
   if (!prunes_) return std::nullopt;
-  const std::size_t verdict = limited_->verdict(routing);
+  const std::size_t verdict = generator_.verdict(routing);
   if (verdict < failing(0)) return std::nullopt;
-  const auto place = limited_->place_of(routing);
+  const auto place = generator_.place_of(routing);
   return place ? std::optional(LeftOutPlace{*place, verdict - failing(0)}) : std::nullopt;
 }
 

@@ -14,8 +14,9 @@
 #include <optional>
 #include <vector>
 
+#include "search/enumerate/generator.hpp"
 #include "search/explore.hpp"
-#include "search/limits/limited_generator.hpp"
+#include "search/limits/limited_tendons.hpp"
 #include "search/stop_check.hpp"
 
 namespace reeve::search {
@@ -28,7 +29,7 @@ class RoutingSource {
  public:
   RoutingSource(const ExploreOptions& options, bool prunes);
 
-  std::uint64_t total() const { return all_.total(); }
+  std::uint64_t total() const { return generator_.total(); }
 
   // If `*stop` becomes true, all calls throw WayStopped; seek() again afterwards. nullptr: never.
   void stop_with(const std::atomic<bool>* stop);
@@ -47,7 +48,7 @@ class RoutingSource {
   // Routings before a place. Quick behind places passed already; elsewhere as slow as a seek.
   // Counted by verdict (limits/part_classes.hpp) on the pruning constraints.
   std::vector<std::uint64_t> verdicts_before(std::uint64_t place) {
-    return limited_->verdicts_before(place);
+    return generator_.verdicts_before(place);
   }
 
   struct LeftOutPlace {
@@ -59,11 +60,10 @@ class RoutingSource {
   std::optional<LeftOutPlace> place_left_out(const Routing& routing);
 
  private:
-  RoutingGenerator all_;
   bool prunes_;
+  bool is_limited_;  // true if the generator passes over what hangs on no motor
   bool leaves_out_unwanted_ = false;
-  std::optional<LimitedGenerator> limited_;
-  std::uint64_t place_ = 0;
+  RoutingGenerator generator_;
   std::uint64_t end_ = 0;
   StopCheck check_;
 };

@@ -13,7 +13,7 @@
 #include "core/error.hpp"
 #include "reports/exploration/part_words.hpp"
 #include "search/enumerate/counting.hpp"
-#include "search/limits/limited_generator.hpp"
+#include "search/limits/limited_counts.hpp"
 
 namespace reeve::cli {
 namespace {

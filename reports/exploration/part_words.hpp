@@ -11,7 +11,7 @@
 #include "reports/output/json.hpp"
 #include "search/enumerate/counting.hpp"
 #include "search/enumerate/field_parts.hpp"
-#include "search/limits/limited_generator.hpp"
+#include "search/limits/limited_counts.hpp"
 
 namespace reeve::reports {
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
+#include "core/graph.hpp"
 #include "core/idle_values.hpp"
 #include "core/mechanics.hpp"
 #include "search/enumerate/checked.hpp"
@@ -49,10 +51,14 @@ std::vector<std::string> impossible_values(const Hardware& hardware,
   return keys;
 }
 
-RoutingGenerator::RoutingGenerator(const GeneratorOptions& options)
-    : tendons_(options), total_(tendons_.total()) {
+RoutingGenerator::RoutingGenerator(const GeneratorOptions& options, PartClasses classes)
+    : fingers_(options.fingers),
+      bars_(options.parts.bars),
+      classes_(std::move(classes)),
+      tendons_(options, classes_),
+      total_(tendons_.total(fingers_)) {
   if (options.parts.blocks > 0) {
-    trees_.emplace(options);
+    trees_.emplace(options, classes_);
     total_ = plus(total_, trees_->total());
   }
   if (options.parts.motors == 1) return;
@@ -61,31 +67,75 @@ RoutingGenerator::RoutingGenerator(const GeneratorOptions& options)
   carriages_.emplace(options.parts.motors, options.identity);
 }
 
+void RoutingGenerator::stop_with(const StopCheck& check) {
+  tendons_.shapes().stop_with(check);
+  if (trees_) trees_->stop_with(check);
+  check_ = check;
+}
+
+bool RoutingGenerator::next(Routing& routing, std::uint64_t& place) {
+  if (!is_placed_) seek(0);
+  if (!carriages_) return next_of_one_motor(routing, place);
+  place = place_;
+  return next_of_motors(routing);
+}
+
+bool RoutingGenerator::next_of_one_motor(Routing& routing, std::uint64_t& place) {
+  if (tendons_.next(routing, place)) return true;
+  if (!trees_ || !trees_->next(routing, place)) return false;
+  place += tendons_.total(fingers_);
+  return true;
+}
+
 bool RoutingGenerator::next_of_motors(Routing& routing) {
+  std::uint64_t of_one_motor = 0;
   while (!carriages_->next(routing)) {
-    if (!next_of_one_motor(of_one_motor_)) return false;
+    if (!next_of_one_motor(of_one_motor_, of_one_motor)) return false;
     carriages_->start(of_one_motor_);
   }
   ++place_;
   return true;
 }
 
-void RoutingGenerator::seek(std::uint64_t index) {
-  if (!carriages_) return seek_of_one_motor(index);
-  if (index < place_) {
+void RoutingGenerator::seek(std::uint64_t place) {
+  const bool is_placed = std::exchange(is_placed_, true);
+  if (!carriages_) return seek_of_one_motor(place);
+  if (!is_placed || place < place_) {
     seek_of_one_motor(0);
     carriages_->start({});
     place_ = 0;
   }
   Routing passed;
-  while (place_ < index && next_of_motors(passed)) check_.step();
+  while (place_ < place && next_of_motors(passed)) check_.step();
 }
 
-void RoutingGenerator::seek_of_one_motor(std::uint64_t index) {
-  tendons_.seek(index);
+void RoutingGenerator::seek_of_one_motor(std::uint64_t place) {
+  tendons_.seek(fingers_, PartClasses::none, place);
   if (!trees_) return;
-  const std::uint64_t before = tendons_.total();
-  trees_->seek(index < before ? 0 : index - before);
+  const std::uint64_t before = tendons_.total(fingers_);
+  trees_->seek(place < before ? 0 : place - before);
+}
+
+std::vector<std::uint64_t> RoutingGenerator::verdicts_before(std::uint64_t place) {
+  const std::uint64_t before = tendons_.total(fingers_);
+  ClassCounts counts = tendons_.shapes().counts_before(fingers_, place);
+  if (trees_ && place > before) add(counts, trees_->counts_before(place - before));
+  std::vector<std::uint64_t> verdicts(failing(classes_.constraints()), 0);
+  for (std::size_t c = 0; c < counts.size(); ++c) {
+    verdicts[classes_.verdict(static_cast<PartClass>(c))] += counts[c];
+  }
+  return verdicts;
+}
+
+std::optional<std::uint64_t> RoutingGenerator::place_of(const Routing& routing) {
+  if (finger_count(routing) != fingers_ || second_tendon(expand(routing)) != nullptr) {
+    return std::nullopt;
+  }
+  const BlockCount count = block_count(routing);
+  if (count.blocks + count.bars == 0) return tendons_.shapes().place_of(routing);
+  if (!trees_ || (count.bars > 0 && !bars_)) return std::nullopt;
+  const auto index = trees_->index_of(routing);
+  return index ? std::optional(tendons_.total(fingers_) + *index) : std::nullopt;
 }
 
 ShardRange shard_range(std::uint64_t total, std::uint64_t i, std::uint64_t n) {

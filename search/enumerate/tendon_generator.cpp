@@ -18,10 +18,9 @@ const GeneratorOptions& validated(const GeneratorOptions& options) {
   return options;
 }
 
-std::uint64_t count(const GeneratorOptions& options) {
+std::vector<std::uint64_t> totals(const GeneratorOptions& options) {
   const TendonCounts tendons = tendon_counts(options.parts, options.fingers, options.identity);
-  return options.one_tendon ? tendons.back()
-                            : tendon_sets(tendons, options.fingers, options.identity).back();
+  return options.one_tendon ? tendons : tendon_sets(tendons, options.fingers, options.identity);
 }
 
 std::uint64_t numberings(const Routing& shapes) {
@@ -38,33 +37,31 @@ std::uint64_t numberings(const Routing& shapes) {
 
 }  // namespace
 
-TendonGenerator::TendonGenerator(const GeneratorOptions& options)
-    : options_(validated(options)),
-      shapes_(all_alike_, options.parts, options.fingers, options.one_tendon, 0),
-      total_(count(options)) {
-  seek(0);
-}
+TendonGenerator::TendonGenerator(const GeneratorOptions& options, const PartClasses& classes)
+    : is_distinct_(options.identity == FingerIdentity::distinct),
+      totals_(totals(validated(options))),
+      shapes_(classes, options.parts, options.fingers, options.one_tendon,
+              classes.count() > 1 ? ListedShapes::default_longest : 0) {}
 
-bool TendonGenerator::next(Routing& routing) {
-  std::uint64_t index = 0;
-  if (options_.identity == FingerIdentity::identical) return shapes_.next(routing, index);
+bool TendonGenerator::next(Routing& routing, std::uint64_t& index) {
+  if (!is_distinct_) return shapes_.next(routing, index);
   if (!is_unread_ && !next_numbered()) return false;
   is_unread_ = false;
+  index = next_index_++;
   routing = numbered_;
   return true;
 }
 
 bool TendonGenerator::next_numbered() {
   if (is_numbered_ && numbering_.next(numbered_)) return true;
-  std::uint64_t index = 0;
-  is_numbered_ = shapes_.next(numbered_, index);
+  std::uint64_t of_shapes = 0;
+  is_numbered_ = shapes_.next(numbered_, of_shapes);
   if (is_numbered_) numbering_.start(numbered_);
   return is_numbered_;
 }
 
 void TendonGenerator::seek_numbered(std::uint64_t index) {
-  shapes_.seek(options_.fingers, PartClasses::none, 0);
-  is_numbered_ = is_unread_ = false;
+  next_index_ = index;
   std::uint64_t of_shapes = 0;
   while (shapes_.next(numbered_, of_shapes)) {
     const std::uint64_t here = numberings(numbered_);
@@ -76,12 +73,11 @@ void TendonGenerator::seek_numbered(std::uint64_t index) {
   is_numbered_ = is_unread_ = true;
 }
 
-void TendonGenerator::seek(std::uint64_t index) {
-  const bool is_there = index < total_;
-  if (is_there && options_.identity == FingerIdentity::distinct) return seek_numbered(index);
+void TendonGenerator::seek(int fingers, PartClass beside, std::uint64_t index) {
   is_numbered_ = is_unread_ = false;
-  const std::uint64_t end = shapes_.total(options_.fingers);
-  shapes_.seek(options_.fingers, PartClasses::none, is_there ? index : end);
+  const bool counts_numbers = is_distinct_ && index < total(fingers);
+  shapes_.seek(fingers, beside, counts_numbers ? 0 : index);
+  if (counts_numbers) seek_numbered(index);
 }
 
 }  // namespace reeve::search

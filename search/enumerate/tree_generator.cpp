@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "core/walk_image.hpp"
 #include "search/enumerate/checked.hpp"
@@ -15,27 +16,35 @@ std::strong_ordering compare_blocks(const Tendon& a, const Tendon& b) {
       [](const Token& x, const Token& y) { return x.block <=> y.block; });
 }
 
-GeneratorOptions without_blocks(GeneratorOptions options, int fingers) {
-  options.parts.blocks = 0;
-  options.fingers = fingers;
-  return options;
+// The tendons that blocks tie together, and the others.
+struct TiedTendons {
+  Routing tied;
+  Routing others;
+};
+
+TiedTendons tied_tendons(const Routing& routing) {
+  TiedTendons result;
+  for (const Tendon& tendon : routing.tendons) {
+    const bool is_tied = std::any_of(tendon.walk.begin(), tendon.walk.end(),
+                                     [](const Token& token) { return is_of_block(token.kind); });
+    (is_tied ? result.tied : result.others).tendons.push_back(tendon);
+  }
+  return result;
 }
 
 }  // namespace
 
-TreeGenerator::TreeGenerator(const GeneratorOptions& options)
+TreeGenerator::TreeGenerator(const GeneratorOptions& options, const PartClasses& classes)
     : options_(options),
+      classes_(classes),
       grammar_({options.parts}, options.fingers, options.identity),
-      writer_(grammar_.grammar()) {
+      writer_(grammar_.grammar()),
+      parts_(classes, grammar_.grammar()),
+      beside_(options, classes) {
   const int n = options.fingers;
   const auto blocks_at_most = static_cast<std::size_t>(options.parts.blocks);
   spans_.reserve(blocks_at_most);
   list_.tendons.reserve(2 * blocks_at_most);  // a root, and a tendon for each block
-  if (!options.one_tendon) {
-    for (int fingers = 1; fingers < n; ++fingers) {
-      others_.emplace_back(without_blocks(options, fingers));
-    }
-  }
   for (int blocks = 1; blocks <= options.parts.blocks; ++blocks) {
     for (int fingers = n; fingers > (options.one_tendon ? n - 1 : 0); --fingers) {
       add_cell({fingers, blocks});
@@ -44,72 +53,131 @@ TreeGenerator::TreeGenerator(const GeneratorOptions& options)
 }
 
 void TreeGenerator::add_cell(TreeSize size) {
-  const int n = options_.fingers;
   const Grammar::Sort of_sets = options_.one_tendon ? grammar_.tree(size) : grammar_.sets(size);
-  const std::uint64_t choices = choices_of(size.fingers, n, options_.identity);
-  Cell cell{size, of_sets, times(choices, grammar().size(of_sets)), 1};
-  if (size.fingers < n) cell.tendons = others(cell).total();
+  const std::uint64_t choices = choices_of(size.fingers, options_.fingers, options_.identity);
+  Cell cell{.size = size,
+            .others = options_.fingers - size.fingers,
+            .of_sets = of_sets,
+            .sets = times(choices, grammar().size(of_sets)),
+            .begin = total_};
+  cell.tendons = cell.others == 0 ? 1 : beside_.total(cell.others);
   if (cell.sets == 0 || cell.tendons == 0) return;
+  if (has_limits()) cell.goal = goal(cell.others);
   cells_.push_back(cell);
   total_ = plus(total_, times(cell.sets, cell.tendons));
 }
 
-TendonGenerator& TreeGenerator::others(const Cell& cell) {
-  return others_[static_cast<std::size_t>(options_.fingers - cell.size.fingers - 1)];
+// What trees must come to that stand beside tendons of so many fingers.
+NumberedParts::Goal TreeGenerator::goal(int others) {
+  const ClassSet& whole = classes_.admitted_classes();
+  if (others == 0) return parts_.goal(whole);
+  return parts_.goal(completed_sums(classes_, beside_.shapes().counts(others), whole));
+}
+
+ClassCounts TreeGenerator::counts_before(std::uint64_t index) {
+  ClassCounts sum = no_counts(classes_);
+  LimitedTendons& tendons = beside_.shapes();
+  for (const Cell& cell : cells_) {
+    if (cell.begin >= index) break;
+    const std::uint64_t within = std::min(index - cell.begin, cell.sets * cell.tendons);
+    const std::uint64_t set = within / cell.tendons;
+    const std::uint64_t rest = within % cell.tendons;
+    const ClassCounts sets = parts_.counts_before(cell.of_sets, set);
+    add(sum, cell.others == 0 ? sets : product(classes_, sets, tendons.counts(cell.others)));
+    if (rest == 0) continue;
+    add(sum, shifted(classes_, tendons.counts_before(cell.others, rest),
+                     parts_.parts_of(cell.of_sets, set)));
+  }
+  return sum;
+}
+
+std::optional<std::uint64_t> TreeGenerator::index_of(const Routing& routing) {
+  const auto [tied, others] = tied_tendons(routing);
+  const BlockCount count = block_count(routing);
+  const TreeSize size{finger_count(tied), count.blocks + count.bars};
+  const auto cell = std::find_if(cells_.begin(), cells_.end(),
+                                 [&](const Cell& each) { return each.size == size; });
+  if (cell == cells_.end()) return std::nullopt;
+  std::optional<std::uint64_t> beside = 0;
+  if (!others.tendons.empty()) beside = beside_.shapes().place_of(others);
+  if (!beside) return std::nullopt;
+  cell_ = static_cast<std::size_t>(cell - cells_.begin());
+  of_others_ = others;
+  const NumberedParts::Goal equivalent = parts_.goal(ClassSet().set(classes_.of(tied)));
+  Routing made;
+  for (auto set = parts_.first(cell->of_sets, 0, equivalent); set;
+       set = parts_.first(cell->of_sets, set->index + 1, equivalent)) {
+    list_set(set->index);
+    write(made);
+    if (made == routing) return cell->begin + set->index * cell->tendons + *beside;
+  }
+  return std::nullopt;
 }
 
 void TreeGenerator::seek(std::uint64_t index) {
+  set_.reset();
+  next_set_ = 0;
   Digits digits(index);
   for (cell_ = 0; cell_ < cells_.size(); ++cell_) {
     if (digits.is_among(cells_[cell_].sets * cells_[cell_].tendons)) break;
   }
   if (cell_ == cells_.size()) return;
-  tendons_ = digits.take(cells_[cell_].tendons);
-  set_ = digits.rest();
-  set_is_listed_ = false;
+  const std::uint64_t beside = digits.take(cells_[cell_].tendons);
+  next_set_ = digits.rest();
+  if (beside == 0) return;
+  const Grammar::Sort of_sets = cells_[cell_].of_sets;
+  const PartClass parts = has_limits() ? parts_.parts_of(of_sets, next_set_) : PartClasses::none;
+  start_set({next_set_, parts}, beside);
 }
 
-bool TreeGenerator::next(Routing& routing) {
-  if (cell_ == cells_.size()) return false;
-  if (!set_is_listed_) start_set();
-  if (cells_[cell_].size.fingers < options_.fingers) others(cells_[cell_]).next(beside_);
+void TreeGenerator::start_set(NumberedParts::Found set, std::uint64_t beside) {
+  set_ = set.index;
+  next_set_ = set.index + 1;
+  list_set(set.index);
+  const int others = cells_[cell_].others;
+  is_alone_ = others == 0;
+  if (!is_alone_) beside_.seek(others, set.parts, beside);
+}
+
+bool TreeGenerator::next_set() {
+  set_.reset();
+  for (; cell_ < cells_.size(); ++cell_, next_set_ = 0) {
+    const Cell& cell = cells_[cell_];
+    ++steps_;
+    if (!has_limits()) {
+      if (next_set_ == cell.sets) continue;
+      start_set({next_set_, PartClasses::none}, 0);
+      return true;
+    }
+    const auto found = parts_.first(cell.of_sets, next_set_, cell.goal);
+    if (!found) continue;
+    start_set(*found, 0);
+    return true;
+  }
+  return false;
+}
+
+bool TreeGenerator::next_beside(std::uint64_t& index) {
+  if (!set_) return false;
+  if (cells_[cell_].others > 0) return beside_.next(of_others_, index);
+  of_others_.tendons.clear();
+  index = 0;
+  return std::exchange(is_alone_, false);
+}
+
+bool TreeGenerator::next(Routing& routing, std::uint64_t& index) {
+  std::uint64_t beside = 0;
+  while (!next_beside(beside)) {
+    if (!next_set()) return false;
+  }
   write(routing);
-  advance();
+  index = cells_[cell_].begin + *set_ * cells_[cell_].tendons + beside;
   return true;
 }
 
-void TreeGenerator::advance() {
-  if (++tendons_ < cells_[cell_].tendons) return;
-  tendons_ = 0;
-  set_is_listed_ = false;
-  if (++set_ < cells_[cell_].sets) return;
-  set_ = 0;
-  ++cell_;
-}
-
-void TreeGenerator::start_set() {
-  list_set();
-  beside_.tendons.clear();
+void TreeGenerator::list_set(std::uint64_t set) {
   const Cell& cell = cells_[cell_];
-  if (cell.size.fingers < options_.fingers) others(cell).seek(tendons_);
-  set_is_listed_ = true;
-}
-
-void TreeGenerator::make(std::size_t cell, std::uint64_t set, const Routing& of_others,
-                         Routing& routing) {
-  if (!set_is_listed_ || cell_ != cell || set_ != set) {
-    cell_ = cell;
-    set_ = set;
-    list_set();
-    set_is_listed_ = true;
-  }
-  beside_ = of_others;
-  write(routing);
-}
-
-void TreeGenerator::list_set() {
-  const Cell& cell = cells_[cell_];
-  Digits digits(set_);
+  Digits digits(set);
   other_fingers_ = fingers_up_to(options_.fingers, options_.identity);
   const FingerSet fingers = take_some(other_fingers_, cell.size.fingers, digits, options_.identity);
   list_.used = 0;
@@ -171,12 +239,12 @@ void TreeGenerator::append_tree(const Span& span, std::size_t& tendon, BlockCoun
 
 // A tendon precedes a tree of as many fingers, whose root has fewer of them.
 void TreeGenerator::write(Routing& routing) {
-  routing.tendons.resize(list_.used + beside_.tendons.size());
+  routing.tendons.resize(list_.used + of_others_.tendons.size());
   if (options_.identity == FingerIdentity::distinct) number_others();
   std::size_t tendon = 0;
   BlockCount blocks;
   auto span = spans_.begin();
-  for (const Tendon& other : beside_.tendons) {
+  for (const Tendon& other : of_others_.tendons) {
     for (; span != spans_.end() && span->fingers > finger_count(other); ++span) {
       append_tree(*span, tendon, blocks, routing);
     }
@@ -197,7 +265,7 @@ void TreeGenerator::number_others() {
   for (FingerSet rest = other_fingers_; rest != 0; rest &= rest - 1) {
     numbers[many++] = static_cast<std::uint8_t>(std::countr_zero(rest) + 1);
   }
-  for (Tendon& tendon : beside_.tendons) {
+  for (Tendon& tendon : of_others_.tendons) {
     for (Token& token : tendon.walk) {
       if (is_of_finger(token.kind)) token.finger = numbers[token.finger - 1];
     }

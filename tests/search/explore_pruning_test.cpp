@@ -255,7 +255,7 @@ TEST(ExplorePruning, LooksAtAFewOfAllRoutings) {
            {with_blocks(all_parts(), 2), 4, "sheaths<=1", 20, 20}}) {
     ExploreOptions options = options_for(parts, fingers);
     options.constraints = constraints_of({text});
-    LimitedGenerator limited(options.generator, options.constraints);
+    RoutingGenerator limited(options.generator, {options.constraints, options.generator});
     limited.seek(0);
     std::uint64_t many = 0;
     std::uint64_t place = 0;

@@ -1,4 +1,6 @@
 // How many routings meet constraints on parts: against all that there are, made and filtered.
+#include "search/limits/limited_counts.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -8,7 +10,6 @@
 #include "core/network.hpp"
 #include "core/performance.hpp"
 #include "core/routing.hpp"
-#include "search/limits/limited_generator.hpp"
 #include "tests/search/generated.hpp"
 
 namespace reeve::testing {

@@ -1,6 +1,4 @@
 // Limits on parts, against a look at every routing.
-#include "search/limits/limited_generator.hpp"
-
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -11,6 +9,7 @@
 
 #include "core/network.hpp"
 #include "core/performance.hpp"
+#include "search/enumerate/generator.hpp"
 #include "search/evaluate/objectives.hpp"
 #include "tests/search/generated.hpp"
 
@@ -55,7 +54,7 @@ std::vector<std::uint64_t> tally(const All& all, std::size_t verdicts, std::uint
   return counts;
 }
 
-void expect_from(LimitedGenerator& limited, const All& all, std::uint64_t begin) {
+void expect_from(RoutingGenerator& limited, const All& all, std::uint64_t begin) {
   limited.seek(begin);
   Routing routing;
   std::uint64_t place = 0;
@@ -76,7 +75,7 @@ void expect_all(const GeneratorOptions& options, const std::vector<std::string>&
                (texts.size() > 1 ? " " + texts[1] : ""));
   const std::vector<Constraint> constraints = constraints_of(texts);
   const All all = everything(options, constraints);
-  LimitedGenerator limited(options, constraints);
+  RoutingGenerator limited(options, {constraints, options});
   ASSERT_EQ(limited.total(), all.routings.size());
   expect_from(limited, all, 0);
   const std::uint64_t n = all.routings.size();
@@ -167,7 +166,8 @@ TEST(LimitedGenerator, KeepsToRandomLimits) {
 TEST(LimitedGenerator, CountsAndSeeksFromWhereItHasBeen) {
   const GeneratorOptions options = generating(full_parts(), 7, identical);
   const std::vector<Constraint> constraints = constraints_of({"sheaths<=1"});
-  LimitedGenerator plain(options, constraints), limited(options, constraints);
+  const PartClasses classes(constraints, options);
+  RoutingGenerator plain(options, classes), limited(options, classes);
   Routing routing;
   std::vector<std::uint64_t> places;
   plain.seek(0);
@@ -198,7 +198,7 @@ TEST(LimitedGenerator, CountsAndSeeksFromWhereItHasBeen) {
     limited.seek(places[i]);
     ASSERT_TRUE(limited.next(routing, place));
     EXPECT_EQ(place, places[i]);
-    LimitedGenerator other(options, constraints);
+    RoutingGenerator other(options, classes);
     EXPECT_EQ(other.verdicts_before(places[i - 50]), counted[i / 100]);
   }
   EXPECT_LT(limited.steps(), before_seeks + (places.size() / 500 + 1) * far);
@@ -206,7 +206,7 @@ TEST(LimitedGenerator, CountsAndSeeksFromWhereItHasBeen) {
 
 TEST(LimitedGenerator, StopsWithinAFewSteps) {
   const GeneratorOptions options{full_parts(), 9, FingerIdentity::identical, false};
-  LimitedGenerator generator(options, {});
+  RoutingGenerator generator(options, {{}, options});
   const std::uint64_t before = generator.steps();
   const std::atomic<bool> stop = true;
   generator.stop_with(StopCheck(&stop));

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "core/notation.hpp"
+#include "search/enumerate/generator.hpp"
 #include "search/evaluate/deciding_evaluation.hpp"
-#include "search/limits/limited_generator.hpp"
+#include "search/limits/limited_tendons.hpp"
 
 namespace reeve {
 namespace {
@@ -37,7 +38,7 @@ std::size_t compared(const GeneratorOptions& options, const Model& model, const 
   DesignEvaluator evaluator(model, grasps);
   const EvaluationScope scope = scope_for(bounded_objectives, authors_score());
   std::vector<Bound> bounds;
-  LimitedGenerator generator(options, {});
+  RoutingGenerator generator(options, {{}, options});
   EXPECT_TRUE(generator.leave_out_unwanted(
       model.hardware, [&](const RoutingBeginning& beginning, const ShardRange& places) {
         const auto estimate = bounding.estimate(beginning);
