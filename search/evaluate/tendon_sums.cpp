@@ -5,6 +5,35 @@
 
 namespace reeve::search {
 
+PartCount parts_of(const Token& token) {
+  switch (token.kind) {
+    case TokenKind::motor_end:
+      return {.sheaths = 1};
+    case TokenKind::fixed_end:
+      return {.fixed_ends = 1};
+    case TokenKind::anchored_tip:
+      return {.anchors = 1};
+    case TokenKind::finger:
+      if (token.tip == TipKind::tube) return {.tubes = 1};
+      return {.pulleys = 1, .tip_bearings = 1};
+    case TokenKind::tube_join:
+      return {.tubes = 1};
+    case TokenKind::bearing_join:
+      return {.pulleys = 1, .fixed_pulleys = 1};
+    case TokenKind::movable_pulley:
+      return {.sheaths = 2, .pulleys = 1, .movable_pulleys = 1};
+    case TokenKind::block_tail:
+      return {.blocks = 1};
+    case TokenKind::bar_pivot:
+      return {.bars = 1};
+    case TokenKind::block_pass:
+    case TokenKind::becket:
+    case TokenKind::bar_arms:
+      return {};
+  }
+  return {};
+}
+
 TendonSums::TendonSums(const Hardware& hardware)
     : strand_mm_(hardware.strand_mm),
       motor_side_mm_(hardware.motor_side_mm),
@@ -18,56 +47,28 @@ TendonSums::TendonSums(const Hardware& hardware)
   sheath_ = law(hardware.sheath);
 }
 
-// Expands a token as core/network does, with the parts of core/performance.
-void TendonSums::read_token(const Tendon& tendon, std::size_t i, PartCount& parts) {
+// Expands a token as core/network does.
+void TendonSums::read_token(const Tendon& tendon, std::size_t i) {
   const Token& token = tendon.walk[i];
   switch (token.kind) {
     case TokenKind::motor_end:
-      ++parts.sheaths;
       if (i > 0) add_link(sheath_);
       add_motor_side();
       if (i == 0) add_link(sheath_);
       return;
-    case TokenKind::fixed_end:
-      ++parts.fixed_ends;
-      return;
-    case TokenKind::anchored_tip:
-      ++parts.anchors;
-      return;
     case TokenKind::finger:
-      if (token.tip == TipKind::tube) {
-        ++parts.tubes;
-        add_link(tube_);
-      } else {
-        ++parts.pulleys;
-        ++parts.tip_bearings;
-        add_link(bearing_);
-      }
-      return;
+      return add_link(token.tip == TipKind::tube ? tube_ : bearing_);
     case TokenKind::tube_join:
-      ++parts.tubes;
-      add_link(tube_);
-      return;
+      return add_link(tube_);
     case TokenKind::bearing_join:
-      ++parts.pulleys;
-      ++parts.fixed_pulleys;
-      add_link(bearing_);
-      return;
+      return add_link(bearing_);
     case TokenKind::movable_pulley:
-      parts.sheaths += 2;
-      ++parts.pulleys;
-      ++parts.movable_pulleys;
       add_link(sheath_);
       add_motor_side();
       add_link(bearing_);
       add_motor_side();
-      add_link(sheath_);
-      return;
-    case TokenKind::block_tail:
-    case TokenKind::becket:
-    case TokenKind::bar_pivot:
-    case TokenKind::block_pass:
-    case TokenKind::bar_arms:
+      return add_link(sheath_);
+    default:  // an end that nothing touches; blocks are not read
       return;
   }
 }
@@ -88,18 +89,18 @@ void TendonSums::read_gap(const Tendon& tendon, std::size_t i, int fingers) {
 bool TendonSums::read(const Tendon& tendon, TreeOutline& outline) {
   pieces_.clear();
   links_.clear();
-  PartCount& parts = outline.parts = {};
   closed_ = tendon.closed;
-  parts.knots = closed_ ? 1 : 0;
+  outline.parts = {.knots = closed_ ? 1 : 0};
   const std::size_t n = tendon.walk.size();
   int& fingers = outline.fingers = 0;
   for (std::size_t i = 0; i < n; ++i) {
     if (is_of_block(tendon.walk[i].kind)) return false;
     if (is_of_finger(tendon.walk[i].kind)) ++fingers;
-    if (i > 0 || !closed_) read_token(tendon, i, parts);
+    outline.parts += parts_of(tendon.walk[i]);
+    if (i > 0 || !closed_) read_token(tendon, i);
     if (i + 1 < n || closed_) read_gap(tendon, i, fingers);
   }
-  if (closed_) read_token(tendon, 0, parts);
+  if (closed_) read_token(tendon, 0);
   motor_sides_ = 0;
   strands_ = 0;
   strands_of_.fill(0);

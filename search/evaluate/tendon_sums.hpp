@@ -27,6 +27,10 @@
 
 namespace reeve::search {
 
+// Parts that a token stands for, as core/performance counts them in a network. A block or bar is
+// where its tail or pivot is: in what is generated each has one.
+PartCount parts_of(const Token& token);
+
 class TendonSums {
  public:
   explicit TendonSums(const Hardware& hardware);
@@ -55,7 +59,7 @@ class TendonSums {
   };
 
   bool read(const Tendon& tendon, TreeOutline& outline);
-  void read_token(const Tendon& tendon, std::size_t i, PartCount& parts);
+  void read_token(const Tendon& tendon, std::size_t i);
   void read_gap(const Tendon& tendon, std::size_t i, int fingers);
   void add_motor_side() { pieces_.push_back({motor_side_mm_, true, 0}); }
   void add_link(const Law& law) { links_.push_back({&law, 0}); }

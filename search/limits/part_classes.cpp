@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "search/evaluate/tendon_sums.hpp"
+
 namespace reeve::search {
 namespace {
 
@@ -18,42 +20,6 @@ double most_counted(const GeneratorOptions& generator) {
 // The least number that is above the bound, or above all that there can be.
 std::size_t first_above(double bound, const GeneratorOptions& generator) {
   return static_cast<std::size_t>(std::clamp(std::floor(bound) + 1, 0.0, most_counted(generator)));
-}
-
-PartCount parts_of_token(const Token& token) {
-  PartCount parts;
-  switch (token.kind) {
-    case TokenKind::motor_end:
-      parts.sheaths = 1;
-      break;
-    case TokenKind::movable_pulley:
-      parts.sheaths = 2;
-      parts.pulleys = 1;
-      break;
-    case TokenKind::bearing_join:
-      parts.pulleys = 1;
-      break;
-    case TokenKind::finger:
-      parts.pulleys = token.tip == TipKind::bearing ? 1 : 0;
-      break;
-    case TokenKind::anchored_tip:
-      parts.anchors = 1;
-      break;
-    // In what is generated each block has one tail.
-    case TokenKind::block_tail:
-      parts.blocks = 1;
-      break;
-    case TokenKind::bar_pivot:
-      parts.bars = 1;
-      break;
-    case TokenKind::fixed_end:
-    case TokenKind::tube_join:
-    case TokenKind::block_pass:
-    case TokenKind::becket:
-    case TokenKind::bar_arms:
-      break;
-  }
-  return parts;
 }
 
 std::size_t counted(const PartCount& parts, Objective objective) {
@@ -129,7 +95,7 @@ void PartClasses::number_all() {
        ++key) {
     const Token token{static_cast<TokenKind>(key / 2),
                       key % 2 == 1 ? TipKind::bearing : TipKind::tube};
-    of_tokens_.push_back(of(parts_of_token(token), is_on_carriage(token.kind)));
+    of_tokens_.push_back(of(parts_of(token), is_on_carriage(token.kind)));
   }
   PartCount knot;
   knot.knots = 1;
