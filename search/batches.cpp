@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +17,7 @@
 #include "search/evaluate/deciding_evaluation.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "search/exploration_part.hpp"
+#include "search/foreseen_designs.hpp"
 #include "search/limits/part_classes.hpp"
 #include "search/rank/pareto.hpp"
 #include "search/routing_source.hpp"
@@ -119,16 +119,6 @@ class ReferenceTally {
   std::vector<Goodness> goodness_;  // one for each reference
 };
 
-// Returns the parts without tips and joins at the hand that have more friction than others.
-PartSet of_least_friction(PartSet parts, const Hardware& hardware) {
-  const bool tubes_slide_worse = hardware.tube.exponent() > hardware.bearing.exponent();
-  const TipKind tip = tubes_slide_worse ? TipKind::tube : TipKind::bearing;
-  const TokenKind join = tubes_slide_worse ? TokenKind::tube_join : TokenKind::bearing_join;
-  if (parts.tips.size() > 1) std::erase(parts.tips, tip);
-  if (parts.joins.size() > 1) std::erase(parts.joins, join);
-  return parts;
-}
-
 // Batches are large enough that threads rarely wait for the slowest one. They are small enough for
 // a cache, for Ctrl-C, and to lose little on an interrupt. A grain takes some tenths of a
 // millisecond.
@@ -212,7 +202,7 @@ class Exploration {
       if (checkpoint_.save && !stopped && checkpoint_.is_due()) save();
     }
     source_.stop_with(nullptr);
-    if (generated_ < part_.total) keep_foreseen();
+    if (foreseen_ && generated_ < part_.total) foreseen_->add_to(part_);
     add_up();
     // A shard without routings is saved, too, but once.
     if (checkpoint_.save && (generated_ > before || !checkpoint_.before)) checkpoint_.save(part_);
@@ -229,9 +219,7 @@ class Exploration {
     part_.total = piece.end - piece.begin;
     ExplorationPart part = run(supervision);
     seen_->absorb(part);
-    // Both calls thin out the kept designs, so that they reject later designs sooner.
-    seen_->archive.members();
-    seen_->tradeoff.candidates();
+    seen_->thin_out();
     return part;
   }
 
@@ -258,35 +246,9 @@ class Exploration {
 
   void foresee() {
     part_.sample.foresee({range_.begin + generated_, range_.end}, workers_, stop_);
-    if (is_alone()) foresee_designs();
-  }
-
-  // Searches the designs of the parts with little friction first. Most of the best are among them,
-  // and the whole enumeration begins with the worst: one tendon, round tubes.
-  void foresee_designs() {
-    ExploreOptions options = options_;
-    options.generator.parts =
-        of_least_friction(options.generator.parts, possible_hardware(options.model));
-    options.sample = 0;
-    options.references.clear();
-    foreseen_ = search_batches(options, {}, EvaluatedDesigns::that_may_be_kept,
-                               {.report = {}, .stop = stop_});
-    part_.visited += foreseen_->visited;
-    foreseen_->archive.members();
-    foreseen_->tradeoff.candidates();
-  }
-
-  // Designs that were left out for them are not missed where the search was stopped before it came
-  // to them.
-  void keep_foreseen() {
-    if (!foreseen_) return;
-    std::set<std::string> kept;
-    for (ArchivedDesign& member : part_.archive.members())
-      kept.insert(std::move(member.design.word));
-    for (ArchivedDesign& member : foreseen_->archive.members()) {
-      if (!kept.contains(member.design.word)) part_.archive.add(std::move(member.design));
-    }
-    for (Design& design : foreseen_->tradeoff.candidates()) part_.tradeoff.add(std::move(design));
+    if (!is_alone()) return;
+    foreseen_.emplace(options_, stop_);
+    part_.visited += foreseen_->visited();
   }
 
   void save() {
@@ -404,10 +366,8 @@ class Exploration {
   }
 
   bool may_be_kept(const ObjectiveValues& values) const {
-    const auto may_be = [&](const ExplorationPart& part) {
-      return part.archive.may_rank(values) || part.tradeoff.may_be_step(values);
-    };
-    return may_be(part_) && (!seen_ || may_be(*seen_)) && (!foreseen_ || may_be(*foreseen_));
+    return part_.may_keep(values) && (!seen_ || seen_->may_keep(values)) &&
+           (!foreseen_ || foreseen_->may_keep(values));
   }
 
   void hold_against_seen(BatchSlot& slot) const {
@@ -479,8 +439,7 @@ class Exploration {
   ExplorationPart part_;
   std::optional<ExplorationPart> seen_;  // kept designs of the pieces before
   bool leaves_out_unwanted_ = false;
-  // Good designs of this search, found beforehand. What they dominate is left out.
-  std::optional<ExplorationPart> foreseen_;
+  std::optional<ForeseenDesigns> foreseen_;
   const std::atomic<bool>* stop_ = nullptr;
   std::vector<DecidingEvaluator> evaluators_;
   std::vector<DesignEvaluator> whole_;  // one for each worker, for a store

@@ -232,7 +232,7 @@ class RecordAbsorber {
     add(
         record.steps, [&](const ObjectiveValues& v) { return whole.tradeoff.may_be_step(v); },
         [&](Design design, std::size_t) { part.tradeoff.add(std::move(design)); });
-    whole.absorb(std::move(part));
+    whole.absorb(part);
   }
 
  private:
@@ -352,7 +352,7 @@ ExplorationPart::ExplorationPart(const ExploreOptions& options)
       tradeoff(options.order, options.tradeoff.by),
       sample(options.sample) {}
 
-void ExplorationPart::absorb(ExplorationPart other) {
+void ExplorationPart::absorb(ExplorationPart& other) {
   total += other.total;
   generated += other.generated;
   evaluated += other.evaluated;

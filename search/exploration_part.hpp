@@ -81,8 +81,19 @@ struct ExplorationPart : ExplorationCounts {
   DesignSample sample;
   Visited visited{};  // in this process
 
-  // Adds a disjoint part of the same exploration.
-  void absorb(ExplorationPart other);
+  // False if no design of these values can be among the best, given those there are.
+  bool may_keep(const ObjectiveValues& values) const {
+    return archive.may_rank(values) || tradeoff.may_be_step(values);
+  }
+
+  // Thins out the kept designs, so that they reject later designs sooner.
+  void thin_out() {
+    archive.members();
+    tradeoff.candidates();
+  }
+
+  // Adds a disjoint part of the same exploration, of which this changes the order only.
+  void absorb(ExplorationPart& other);
 };
 
 // Returns all objectives by which a routing is kept or left out.

@@ -29,7 +29,8 @@ bool Archive::may_rank(const ObjectiveValues& values) const {
 
 void Archive::add(Design design, std::uint64_t equals_left_out) {
   Goodness value = goodness(design.values, order_.objectives);
-  entries_.emplace_back(Entry{std::move(design), std::move(value), equals_left_out});
+  entries_.push_back(
+      std::make_unique<Entry>(Entry{std::move(design), std::move(value), equals_left_out}));
   if (entries_.size() - compacted_ > std::max(least_backlog, compacted_ / 4)) compact();
 }
 

@@ -10,7 +10,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "search/rank/pareto.hpp"
@@ -54,24 +53,8 @@ class Archive {
     std::uint64_t equals_left_out = 0;
   };
 
-  // Owning pointer to an entry, which is much larger. A copy copies the entry.
-  class Place {
-   public:
-    explicit Place(Entry entry) : entry_(std::make_unique<Entry>(std::move(entry))) {}
-    Place(const Place& other) : Place(*other) {}
-    Place(Place&&) noexcept = default;
-    Place& operator=(Place other) noexcept {
-      entry_.swap(other.entry_);
-      return *this;
-    }
-    ~Place() = default;
-
-    Entry& operator*() const { return *entry_; }
-    Entry* operator->() const { return entry_.get(); }
-
-   private:
-    std::unique_ptr<Entry> entry_;
-  };
+  // An entry is much larger than what points to it.
+  using Place = std::unique_ptr<Entry>;
 
   Content ranked_content(std::vector<Design> designs) const;
   bool has_enough_dominators(Eigen::Index rows, const Goodness& candidate,

@@ -118,10 +118,7 @@ TEST(Ranks, SaveWhatOneProcessContinuesToTheSame) {
   std::vector<ShardRecord> saved;
   Checkpoint checkpoint;
   checkpoint.is_due = [] { return true; };
-  checkpoint.save = [&](ExplorationPart& part) {
-    ExplorationPart copy = part;
-    saved.push_back(record_of(copy));
-  };
+  checkpoint.save = [&](ExplorationPart& part) { saved.push_back(record_of(part)); };
   with_ranks(
       3,
       [&](Leader& leader) {
