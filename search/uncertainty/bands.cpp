@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "numerics/robust.hpp"
 
@@ -53,52 +52,6 @@ std::vector<Objective> friction_objectives(bool with_hand) {
 Band band_of(const std::vector<double>& values) {
   return {quantile_or_infinite(values, 0.5), quantile_or_infinite(values, tail),
           quantile_or_infinite(values, 1 - tail)};
-}
-
-DrawnValues::DrawnValues(std::vector<Objective> objectives, Order order, std::size_t draws,
-                         std::size_t begin, std::size_t end)
-    : objectives_(std::move(objectives)),
-      order_(std::move(order)),
-      draws_(draws),
-      begin_(begin),
-      end_(end),
-      values_((end - begin) * objectives_.size() * draws),
-      decisive_((end - begin) * draws) {}
-
-void DrawnValues::keep(std::size_t design, std::size_t draw, const ObjectiveValues& values) {
-  if (design < begin_ || design >= end_) return;
-  std::size_t at = (design - begin_) * objectives_.size() * draws_ + draw;
-  for (const Objective objective : objectives_) {
-    values_[at] = value(values, objective);
-    at += draws_;
-  }
-  decisive_[(design - begin_) * draws_ + draw] = decisive_value(values, order_);
-}
-
-std::vector<Band> DrawnValues::decisive_bands(Workers& workers) const {
-  std::vector<Band> result(end_ - begin_);
-  workers.for_each_block(result.size(), 16, [&](const IndexBlock& block) {
-    for (std::size_t i = block.begin; i < block.end; ++i) {
-      const auto from = decisive_.begin() + static_cast<std::ptrdiff_t>(i * draws_);
-      result[i] = band_of({from, from + static_cast<std::ptrdiff_t>(draws_)});
-    }
-  });
-  return result;
-}
-
-std::vector<Bands> DrawnValues::bands(Workers& workers) const {
-  std::vector<Bands> result(end_ - begin_);
-  workers.for_each_block(result.size(), 16, [&](const IndexBlock& block) {
-    for (std::size_t i = block.begin; i < block.end; ++i) {
-      auto from = values_.begin() + static_cast<std::ptrdiff_t>(i * objectives_.size() * draws_);
-      for (const Objective objective : objectives_) {
-        const auto to = from + static_cast<std::ptrdiff_t>(draws_);
-        result[i].push_back({objective, band_of({from, to})});
-        from = to;
-      }
-    }
-  });
-  return result;
 }
 
 }  // namespace reeve::search

@@ -4,12 +4,9 @@
 // Quantiles are those of `size` (numerics/robust.hpp), with linear interpolation between two draws.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
-#include "numerics/parallel.hpp"
 #include "search/evaluate/objectives.hpp"
-#include "search/rank/ranking.hpp"
 
 namespace reeve::search {
 
@@ -41,31 +38,5 @@ std::vector<Objective> friction_objectives(bool with_hand);
 
 // Infinite values are the worst or the best, as they are; none is NaN.
 Band band_of(const std::vector<double>& values);
-
-// Values of the designs `begin` to `end` of a list in each draw, from which their bands are made,
-// and what orders designs within a front (decisive_value).
-class DrawnValues {
- public:
-  DrawnValues(std::vector<Objective> objectives, Order order, std::size_t draws, std::size_t begin,
-              std::size_t end);
-
-  std::size_t begin() const { return begin_; }
-  std::size_t end() const { return end_; }
-  // Does nothing for designs that are not kept here. Each draw of each design once, from any
-  // thread.
-  void keep(std::size_t design, std::size_t draw, const ObjectiveValues& values);
-  // Return the bands of the designs kept, in their order.
-  std::vector<Bands> bands(Workers& workers) const;
-  std::vector<Band> decisive_bands(Workers& workers) const;
-
- private:
-  std::vector<Objective> objectives_;
-  Order order_;
-  std::size_t draws_;
-  std::size_t begin_;
-  std::size_t end_;
-  std::vector<double> values_;    // [design][objective][draw]
-  std::vector<double> decisive_;  // [design][draw]
-};
 
 }  // namespace reeve::search

@@ -139,12 +139,65 @@ EvaluationScope drawn_scope(const UncertaintyOptions& options) {
 
 struct DrawnBands {
   std::vector<Bands> bands;
-  std::vector<Band> decisive;
+  std::vector<Band> decisive;  // of decisive_value
+};
 
-  void add(const DrawnValues& values, Workers& workers) {
-    for (Bands& some : values.bands(workers)) bands.push_back(std::move(some));
-    for (const Band& band : values.decisive_bands(workers)) decisive.push_back(band);
+// Values of the designs `begin` to `end` of a list in each draw, from which their bands are made.
+class DrawnValues {
+ public:
+  DrawnValues(const std::vector<Objective>& objectives, const UncertaintyOptions& options,
+              std::size_t begin, std::size_t end)
+      : objectives_(objectives),
+        order_(options.order),
+        draws_(options.draws),
+        begin_(begin),
+        end_(end),
+        values_((end - begin) * (objectives.size() + 1) * draws_) {}
+
+  std::size_t begin() const { return begin_; }
+  std::size_t end() const { return end_; }
+
+  // Does nothing for designs that are not kept here. Each draw of each design once, from any
+  // thread.
+  void keep(std::size_t design, std::size_t draw, const ObjectiveValues& values) {
+    if (design < begin_ || design >= end_) return;
+    std::size_t at = first_of(design - begin_, 0) + draw;
+    for (const Objective objective : objectives_) {
+      values_[at] = value(values, objective);
+      at += draws_;
+    }
+    values_[at] = decisive_value(values, order_);
   }
+
+  void add_bands(Workers& workers, DrawnBands& drawn) const {
+    drawn.bands.resize(end_);
+    drawn.decisive.resize(end_);
+    workers.for_each_block(end_ - begin_, 16, [&](const IndexBlock& block) {
+      for (std::size_t i = block.begin; i < block.end; ++i) {
+        for (std::size_t k = 0; k < objectives_.size(); ++k) {
+          drawn.bands[begin_ + i].push_back({objectives_[k], band(i, k)});
+        }
+        drawn.decisive[begin_ + i] = band(i, objectives_.size());
+      }
+    });
+  }
+
+ private:
+  std::size_t first_of(std::size_t design, std::size_t column) const {
+    return (design * (objectives_.size() + 1) + column) * draws_;
+  }
+
+  Band band(std::size_t design, std::size_t column) const {
+    const auto from = values_.begin() + static_cast<std::ptrdiff_t>(first_of(design, column));
+    return band_of({from, from + static_cast<std::ptrdiff_t>(draws_)});
+  }
+
+  const std::vector<Objective>& objectives_;
+  const Order& order_;
+  std::size_t draws_;
+  std::size_t begin_;
+  std::size_t end_;
+  std::vector<double> values_;  // [design][objective, and last the decisive value][draw]
 };
 
 // Adds the bands of the routings that have none yet. Each pass takes as many of them as there is
@@ -156,8 +209,7 @@ bool add_bands(const std::vector<Routing>& routings, const std::vector<Objective
   const std::size_t at_once = designs_at_once(options, objectives.size());
   while (drawn.bands.size() < routings.size()) {
     const std::size_t begin = drawn.bands.size();
-    DrawnValues values(objectives, options.order, options.draws, begin,
-                       std::min(begin + at_once, routings.size()));
+    DrawnValues values(objectives, options, begin, std::min(begin + at_once, routings.size()));
     const bool finished = loop.pass([&](std::size_t draw) {
       DesignEvaluator evaluator = evaluator_of(model(draw), options);
       for (std::size_t i = values.begin(); i < values.end(); ++i) {
@@ -165,7 +217,7 @@ bool add_bands(const std::vector<Routing>& routings, const std::vector<Objective
       }
     });
     if (!finished) return false;
-    drawn.add(values, loop.workers());
+    values.add_bands(loop.workers(), drawn);
   }
   return true;
 }
@@ -210,8 +262,7 @@ std::optional<DrawnDesigns> drawn_designs(const std::vector<Routing>& routings,
   DrawnDesigns result;
   DrawnBands bands;
   {
-    DrawnValues values(objectives, options.order, options.draws, 0,
-                       std::min(at_once, routings.size()));
+    DrawnValues values(objectives, options, 0, std::min(at_once, routings.size()));
     const bool finished = loop.pass([&](std::size_t draw) {
       DesignEvaluator evaluator = evaluator_of(model(draw), options);
       std::vector<Design> designs;
@@ -222,7 +273,7 @@ std::optional<DrawnDesigns> drawn_designs(const std::vector<Routing>& routings,
       by_draw[draw] = drawn_places(std::move(designs), options);
     });
     if (!finished) return std::nullopt;
-    bands.add(values, loop.workers());
+    values.add_bands(loop.workers(), bands);
   }
   for (std::size_t i = 0; i < routings.size(); ++i) {
     result.ranks.push_back(distribution(by_draw, i));
