@@ -32,10 +32,19 @@ inline std::vector<PartSet> odd_parts() {
   };
 }
 
-inline PartSet anchored(PartSet parts) {
-  parts.anchored = true;
+// The same parts, and what the member allows.
+template <bool PartSet::*member>
+PartSet allowing(PartSet parts) {
+  parts.*member = true;
   return parts;
 }
+
+inline constexpr auto anchored = allowing<&PartSet::anchored>;
+inline constexpr auto linked = allowing<&PartSet::linked>;
+inline constexpr auto in_series = allowing<&PartSet::series>;
+inline constexpr auto barred = allowing<&PartSet::bars>;
+inline constexpr auto becketed = allowing<&PartSet::beckets>;
+inline constexpr auto passed_twice = allowing<&PartSet::double_passes>;
 
 inline PartSet with_blocks(PartSet parts, int blocks) {
   parts.blocks = blocks;
@@ -49,31 +58,6 @@ inline PartSet with_motors(PartSet parts, int motors) {
 
 inline PartSet with_beside(PartSet parts, const char* joins) {
   parts.beside = parse_joins(joins);
-  return parts;
-}
-
-inline PartSet linked(PartSet parts) {
-  parts.linked = true;
-  return parts;
-}
-
-inline PartSet in_series(PartSet parts) {
-  parts.series = true;
-  return parts;
-}
-
-inline PartSet barred(PartSet parts) {
-  parts.bars = true;
-  return parts;
-}
-
-inline PartSet becketed(PartSet parts) {
-  parts.beckets = true;
-  return parts;
-}
-
-inline PartSet passed_twice(PartSet parts) {
-  parts.double_passes = true;
   return parts;
 }
 

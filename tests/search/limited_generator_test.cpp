@@ -1,6 +1,7 @@
 // Limits on parts, against a look at every routing.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <random>
@@ -11,6 +12,7 @@
 #include "core/performance.hpp"
 #include "search/enumerate/generator.hpp"
 #include "search/evaluate/objectives.hpp"
+#include "search/limits/limited_counts.hpp"
 #include "tests/search/generated.hpp"
 
 namespace reeve::testing {
@@ -216,6 +218,54 @@ TEST(LimitedGenerator, StopsWithinAFewSteps) {
   RoutingGenerator all(options);
   all.stop_with(StopCheck(&stop));
   EXPECT_THROW(all.seek(all.total() / 10), WayStopped);
+}
+
+// By formula, against all routings, made and filtered.
+LimitedCounts filtered(const All& all, std::size_t constraints) {
+  const std::vector<std::uint64_t> tallied = tally(all, constraints + 2, all.routings.size());
+  LimitedCounts counts{tallied[within_limits], 0, {tallied.begin() + failing(0), tallied.end()}};
+  for (std::size_t i = 0; i < all.routings.size(); ++i) {
+    const std::vector<std::size_t> tree_of = trees(all.routings[i]);
+    const bool is_one_tree =
+        std::all_of(tree_of.begin(), tree_of.end(), [](auto t) { return t == 0; });
+    if (all.verdicts[i] == within_limits && is_one_tree) ++counts.one_tendon;
+  }
+  return counts;
+}
+
+TEST(LimitedCounts, AreThoseOfAllRoutingsFiltered) {
+  for (const PartSet& parts : {paper_parts(), full_parts(), all_parts(),
+                               linked(in_series(with_blocks(anchored(paper_parts()), 3))),
+                               barred(in_series(with_blocks(anchored(paper_parts()), 2))),
+                               becketed(passed_twice(with_blocks(anchored(paper_parts()), 2)))}) {
+    for (int fingers = 1; fingers <= (parts.blocks > 0 ? 3 : 4); ++fingers) {
+      const GeneratorOptions options{parts, fingers};
+      for (const std::vector<std::string>& texts : {std::vector<std::string>{"sheaths<=2"},
+                                                    {"pulleys>=2", "sheaths<3"},
+                                                    {"knots<=0", "parts<=5"},
+                                                    {"blocks>=1"},
+                                                    {"sheaths==1"}}) {
+        SCOPED_TRACE(texts.front() + " of " + std::to_string(fingers));
+        const std::vector<Constraint> constraints = constraints_of(texts);
+        const LimitedCounts counted = count_limited(options, constraints);
+        const LimitedCounts expected =
+            filtered(everything(options, constraints), constraints.size());
+        EXPECT_EQ(counted.meeting, expected.meeting);
+        EXPECT_EQ(counted.one_tendon, expected.one_tendon);
+        EXPECT_EQ(counted.rejected, expected.rejected);
+      }
+    }
+  }
+}
+
+TEST(LimitedCounts, RefuseWhatTheyCannotCount) {
+  GeneratorOptions options{full_parts(), 3};
+  EXPECT_THROW(count_limited(options, constraints_of({"sheaths<=2", "uniformity>=0.5"})),
+               InputError);
+  EXPECT_THROW(count_limited(options, constraints_of({"sheaths<=20", "pulleys<=20", "knots<=20"})),
+               InputError);
+  options.identity = FingerIdentity::distinct;
+  EXPECT_THROW(count_limited(options, constraints_of({"sheaths<=2"})), InputError);
 }
 
 }  // namespace

@@ -8,21 +8,10 @@
 
 #include "core/notation.hpp"
 #include "search/enumerate/generator.hpp"
-#include "search/evaluate/shared_states.hpp"
+#include "tests/search/solved_tendon.hpp"
 
-namespace reeve {
+namespace reeve::testing {
 namespace {
-
-Hardware with_friction(double tube, double bearing, double sheath) {
-  Hardware hardware;
-  hardware.tube.mu = tube;
-  hardware.bearing.mu = bearing;
-  hardware.sheath.mu = sheath;
-  hardware.strand_mm = 71;
-  hardware.motor_side_mm = 260;
-  hardware.hand_mm = 17;
-  return hardware;
-}
 
 void expect_near(double seen, double expected, const std::string& what) {
   ASSERT_NEAR(seen, expected, 1e-11 * (1 + std::abs(expected))) << what;
@@ -61,12 +50,8 @@ PartSet all_without_blocks() {
 TreeOutline solved(const Hardware& hardware, const Routing& tree) {
   const Network network = expand(tree);
   TreeOutline outline{parts(network), network.fingers, {}};
-  TensionSolver solver;
-  TensionState state;
   for (int held = 0; held <= network.fingers; ++held) {
-    const Grasp grasp{held == 0 ? 0 : std::uint64_t{1} << (held - 1)};
-    solver.solve_relative(network, mechanics(network, hardware), grasp, Direction::pull, state);
-    outline.sums.push_back(sums_of(network, state));
+    outline.sums.push_back(solved_sums(hardware, network, held));
   }
   return outline;
 }
@@ -138,4 +123,4 @@ TEST(TendonSums, SayWhereNumbersEnd) {
 }
 
 }  // namespace
-}  // namespace reeve
+}  // namespace reeve::testing

@@ -4,25 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "search/enumerate/counting.hpp"
-#include "tests/search/counted_parts.hpp"
+#include "tests/search/counted_trees.hpp"
 #include "tests/search/generated.hpp"
-#include "tests/support/brute_force.hpp"
 #include "tests/support/sanitizers.hpp"
 
 namespace reeve::testing {
 namespace {
-
-// With exactly so many blocks, as the difference to fewer.
-RoutingNumbers exactly(PartSet parts, int blocks, int fingers, FingerIdentity identity) {
-  parts.blocks = blocks;
-  RoutingNumbers counts = numbers_of(count_routings(parts, fingers, identity));
-  if (blocks == 0) return counts;
-  parts.blocks = blocks - 1;
-  const RoutingNumbers fewer = numbers_of(count_routings(parts, fingers, identity));
-  for (std::size_t i = 0; i < counts.size(); ++i) counts[i] -= fewer[i];
-  return counts;
-}
 
 struct Row {
   PartSet parts;
@@ -109,29 +96,23 @@ TEST(TreeCounts, OfBecketsAndDoublePassesAreThoseOfThePowerSeries) {
   expect_power_series(parts_with_sheaves(), 4);
 }
 
-void expect_brute_force(const PartSet& parts, int fingers, int blocks, FingerIdentity identity) {
-  EXPECT_EQ(exactly(parts, blocks, fingers, identity),
-            numbers_of(brute_force_trees(counted_with_trees(parts), fingers, blocks,
-                                         identity == identical)))
-      << label_of(generating(with_blocks(parts, blocks), fingers, identity));
-}
-
 TEST(TreeCounts, AreThoseOfBruteForce) {
   for (const FingerIdentity identity : {identical, distinct}) {
     for (const PartSet& parts : various_parts()) {
       for (int blocks = 0; blocks <= 1; ++blocks) {
         for (int fingers = 1; fingers <= 2; ++fingers) {
-          expect_brute_force(parts, fingers, blocks, identity);
+          expect_brute_force_trees(parts, fingers, blocks, identity);
         }
       }
-      expect_brute_force(parts, 1, 2, identity);
+      expect_brute_force_trees(parts, 1, 2, identity);
     }
-    for (const PartSet& parts : parts_with_sheaves()) expect_brute_force(parts, 2, 1, identity);
+    for (const PartSet& parts : parts_with_sheaves())
+      expect_brute_force_trees(parts, 2, 1, identity);
   }
   // The larger ones, with fingers of one kind and of the other in turn.
   FingerIdentity identity = identical;
   for (const PartSet& parts : various_parts()) {
-    expect_brute_force(parts, 2, 2, identity);
+    expect_brute_force_trees(parts, 2, 2, identity);
     identity = identity == identical ? distinct : identical;
   }
 }
@@ -145,61 +126,61 @@ TEST(TreeCounts, OfJoinsBesideEndsAreThoseOfBruteForce) {
             anchored(parts_of("tube", "T", ""))}) {
         for (int blocks = 0; blocks <= 1; ++blocks) {
           const PartSet beside = with_beside(parts, joins);
-          expect_brute_force(beside, 1, blocks, identity);
-          if (beside.beside.size() == 1) expect_brute_force(beside, 2, blocks, identity);
+          expect_brute_force_trees(beside, 1, blocks, identity);
+          if (beside.beside.size() == 1) expect_brute_force_trees(beside, 2, blocks, identity);
         }
       }
     }
     const PartSet of_two_motors =
         with_motors(with_beside(anchored(parts_of("tube", "P", "F")), "P"), 2);
     for (int blocks = 0; blocks <= 1; ++blocks) {
-      expect_brute_force(of_two_motors, 2, blocks, identity);
+      expect_brute_force_trees(of_two_motors, 2, blocks, identity);
     }
   }
   // Larger ones, each with fingers of one kind.
-  expect_brute_force(with_beside(parts_of("tube", "T", "M,F"), "P"), 2, 2, identical);
-  expect_brute_force(linked(with_beside(parts_of("tube", "", "M,F"), "P")), 2, 2, distinct);
-  expect_brute_force(with_beside(anchored(parts_of("tube", "", "F")), "P"), 3, 2, identical);
+  expect_brute_force_trees(with_beside(parts_of("tube", "T", "M,F"), "P"), 2, 2, identical);
+  expect_brute_force_trees(linked(with_beside(parts_of("tube", "", "M,F"), "P")), 2, 2, distinct);
+  expect_brute_force_trees(with_beside(anchored(parts_of("tube", "", "F")), "P"), 3, 2, identical);
 }
 
 TEST(TreeCounts, OfThreeBlocksInSeriesAndBarsAreThoseOfBruteForce) {
   for (const FingerIdentity identity : {identical, distinct}) {
     for (const PartSet& parts : {parts_of("tube", "", "M"), parts_of("tube", "", "F")}) {
-      expect_brute_force(in_series(anchored(parts)), 3, 3, identity);
-      expect_brute_force(linked(in_series(parts)), 3, 3, identity);
+      expect_brute_force_trees(in_series(anchored(parts)), 3, 3, identity);
+      expect_brute_force_trees(linked(in_series(parts)), 3, 3, identity);
     }
-    expect_brute_force(in_series(anchored(parts_of("tube", "P", ""))), 3, 3, identity);
-    expect_brute_force(with_motors(barred(anchored(parts_of("tube", "P", "M"))), 2), 2, 2,
-                       identity);
-    expect_brute_force(with_motors(in_series(anchored(parts_of("tube", "P", "M"))), 2), 2, 2,
-                       identity);
+    expect_brute_force_trees(in_series(anchored(parts_of("tube", "P", ""))), 3, 3, identity);
+    expect_brute_force_trees(with_motors(barred(anchored(parts_of("tube", "P", "M"))), 2), 2, 2,
+                             identity);
+    expect_brute_force_trees(with_motors(in_series(anchored(parts_of("tube", "P", "M"))), 2), 2, 2,
+                             identity);
   }
-  expect_brute_force(barred(in_series(anchored(parts_of("tube", "", "M")))), 3, 3, identical);
+  expect_brute_force_trees(barred(in_series(anchored(parts_of("tube", "", "M")))), 3, 3, identical);
 }
 
 TEST(TreeCounts, OfBecketsAndDoublePassesAreThoseOfBruteForce) {
   for (const FingerIdentity identity : {identical, distinct}) {
     for (const char* joins : {"", "P"}) {
       const PartSet few = anchored(parts_of("tube", joins, "M"));
-      expect_brute_force(becketed(few), 3, 1, identity);
-      expect_brute_force(passed_twice(few), 3, 1, identity);
-      expect_brute_force(becketed(passed_twice(few)), 3, 1, identity);
+      expect_brute_force_trees(becketed(few), 3, 1, identity);
+      expect_brute_force_trees(passed_twice(few), 3, 1, identity);
+      expect_brute_force_trees(becketed(passed_twice(few)), 3, 1, identity);
     }
     const PartSet few = parts_of("tube", "", "M");
-    expect_brute_force(becketed(few), 2, 2, identity);
-    expect_brute_force(passed_twice(few), 3, 2, identity);
-    expect_brute_force(barred(in_series(passed_twice(few))), 2, 2, identity);
+    expect_brute_force_trees(becketed(few), 2, 2, identity);
+    expect_brute_force_trees(passed_twice(few), 3, 2, identity);
+    expect_brute_force_trees(barred(in_series(passed_twice(few))), 2, 2, identity);
     const PartSet of_two_motors = with_motors(anchored(parts_of("tube", "P", "M")), 2);
-    expect_brute_force(becketed(passed_twice(of_two_motors)), 2, 1, identity);
-    expect_brute_force(becketed(passed_twice(with_beside(few, "P"))), 2, 1, identity);
+    expect_brute_force_trees(becketed(passed_twice(of_two_motors)), 2, 1, identity);
+    expect_brute_force_trees(becketed(passed_twice(with_beside(few, "P"))), 2, 1, identity);
   }
 }
 
 TEST(TreeCounts, OfThreeFingersAreThoseOfBruteForce) {
-  expect_brute_force(anchored(paper_parts()), 3, 0, distinct);
-  expect_brute_force(anchored(paper_parts()), 3, 1, distinct);
-  expect_brute_force(linked(in_series(anchored(paper_parts()))), 3, 2, identical);
-  expect_brute_force(anchored(full_parts()), 3, 1, identical);
+  expect_brute_force_trees(anchored(paper_parts()), 3, 0, distinct);
+  expect_brute_force_trees(anchored(paper_parts()), 3, 1, distinct);
+  expect_brute_force_trees(linked(in_series(anchored(paper_parts()))), 3, 2, identical);
+  expect_brute_force_trees(anchored(full_parts()), 3, 1, identical);
 }
 
 }  // namespace

@@ -12,33 +12,15 @@
 
 #include "core/notation.hpp"
 #include "core/performance.hpp"
-#include "search/evaluate/shared_states.hpp"
 #include "search/limits/beginning_counts.hpp"
 #include "tests/search/generated.hpp"
+#include "tests/search/solved_tendon.hpp"
 
 namespace reeve::testing {
 namespace {
 
-Hardware with_mu(double tube, double bearing, double sheath) {
-  Hardware hardware;
-  hardware.tube.mu = tube;
-  hardware.bearing.mu = bearing;
-  hardware.sheath.mu = sheath;
-  hardware.strand_mm = 71;
-  hardware.motor_side_mm = 260;
-  return hardware;
-}
-
 GeneratorOptions one_tendon(const PartSet& parts, int fingers) {
   return {parts, fingers, FingerIdentity::identical, true};
-}
-
-TreeSums solved(const Hardware& hardware, const Network& network, int held) {
-  TensionSolver solver;
-  TensionState state;
-  const Grasp grasp{held == 0 ? 0 : std::uint64_t{1} << (held - 1)};
-  solver.solve_relative(network, mechanics(network, hardware), grasp, Direction::pull, state);
-  return sums_of(network, state);
 }
 
 // Returns how many states were held against bounds.
@@ -53,7 +35,7 @@ std::size_t compared(const Hardware& hardware, int fingers, double motor_beside)
     const Network network = expand(routing);
     const int motor_sides = parts(network).sheaths;
     for (int held = 0; held <= fingers; ++held) {
-      const TreeSums sums = solved(hardware, network, held);
+      const TreeSums sums = solved_sums(hardware, network, held);
       const double uniformity = sums.strands.least / sums.strands.most;
       const double efficiency =
           (sums.strands.work + most_efficiency * motor_beside) / (sums.motor + motor_beside);
@@ -74,8 +56,9 @@ std::size_t compared(const Hardware& hardware, int fingers, double motor_beside)
 }
 
 TEST(WalkBounds, HoldForEveryTendonThatBeginsSo) {
-  for (const Hardware& hardware : {Hardware{}, with_mu(0.31, 0.002, 0.09), with_mu(0, 0, 0),
-                                   with_mu(0.05, 0.2, 0.3), with_mu(2.5, 0.4, 1.5)}) {
+  for (const Hardware& hardware :
+       {Hardware{}, with_friction(0.31, 0.002, 0.09), with_friction(0, 0, 0),
+        with_friction(0.05, 0.2, 0.3), with_friction(2.5, 0.4, 1.5)}) {
     EXPECT_GT(compared(hardware, 2, 0), 50U);
     EXPECT_GT(compared(hardware, 3, 0.7), 500U);
     EXPECT_GT(compared(hardware, 4, 0), 5000U);
@@ -92,7 +75,7 @@ TEST(WalkBounds, SeeWhatTheWalkLoses) {
   const Routing routing = parse_routing("M-1-T-2-T-3-T-4-F");
   bounds.read(routing.tendons.front().walk, 3);
   ASSERT_TRUE(bounds.outline(1, outline));
-  const TreeSums sums = solved({}, expand(routing), 0);
+  const TreeSums sums = solved_sums({}, expand(routing), 0);
   EXPECT_LT(outline.sums[0].strands.work, 0.8 * std::exp(-Hardware{}.sheath.exponent()));
   EXPECT_LE(sums.strands.work / sums.motor, outline.sums[0].strands.work);
   EXPECT_FALSE(bounds.outline(5, outline));  // the rest has one join and one end
