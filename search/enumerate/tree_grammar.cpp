@@ -13,30 +13,28 @@ Kinds tip_kinds(const PartSet& parts) {
   return kinds;
 }
 
-Kinds join_kinds(const PartSet& parts) {
+Kinds plain_kinds(const std::vector<TokenKind>& of) {
   Kinds kinds;
-  for (const TokenKind join : parts.joins) kinds.push_back({plain(join)});
+  for (const TokenKind kind : of) kinds.push_back({plain(kind)});
   return kinds;
 }
 
-// A bead is nothing, or a join.
-Kinds bead_kinds(const PartSet& parts) {
-  Kinds kinds = join_kinds(parts);
+Kinds nothing_or(Kinds kinds) {
   kinds.insert(kinds.begin(), Grammar::Kind{});
   return kinds;
 }
 
-Kinds beside_kinds(const PartSet& parts) {
-  Kinds kinds(1);
-  for (const TokenKind join : parts.beside) kinds.push_back({plain(join)});
-  return kinds;
-}
+Kinds join_kinds(const PartSet& parts) { return plain_kinds(parts.joins); }
+
+// A bead is nothing, or a join.
+Kinds bead_kinds(const PartSet& parts) { return nothing_or(join_kinds(parts)); }
+
+Kinds beside_kinds(const PartSet& parts) { return nothing_or(plain_kinds(parts.beside)); }
 
 // Kinds of what may stand between two tails.
 Kinds kinds_between_tails(const PartSet& parts) {
-  Kinds kinds = beside_kinds(parts);
-  if (!parts.linked) kinds.erase(kinds.begin());
-  return kinds;
+  const Kinds joins = plain_kinds(parts.beside);
+  return parts.linked ? nothing_or(joins) : joins;
 }
 
 Kinds end_kinds(const PartSet& parts) {

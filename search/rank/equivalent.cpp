@@ -53,6 +53,14 @@ std::vector<std::size_t> places(const std::vector<RankedDesign>& ranked, const O
   return result;
 }
 
+std::vector<std::size_t> places_of(std::vector<Design> designs, const Order& order) {
+  const std::vector<RankedDesign> ranked = rank(std::move(designs), order);
+  const std::vector<std::size_t> shared = places(ranked, order);
+  std::vector<std::size_t> result(ranked.size());
+  for (std::size_t i = 0; i < ranked.size(); ++i) result[ranked[i].given] = shared[i];
+  return result;
+}
+
 Routing without_bearings(Routing routing, FingerIdentity identity) {
   for (Tendon& tendon : routing.tendons) {
     for (Token& token : tendon.walk) {

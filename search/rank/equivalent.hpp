@@ -20,6 +20,9 @@ namespace reeve::search {
 // place 1 the next is at 3.
 std::vector<std::size_t> places(const std::vector<RankedDesign>& ranked, const Order& order);
 
+// Ranks designs and returns their places in the order in which they are given.
+std::vector<std::size_t> places_of(std::vector<Design> designs, const Order& order);
+
 // Returns the canonical routing with a tube in place of every bearing that could be one.
 Routing without_bearings(Routing routing, FingerIdentity identity);
 

@@ -79,14 +79,10 @@ class SweepRanker {
       designs.push_back({words_[i], evaluator.evaluate(routings_[i])});
       result.values.push_back(designs.back().values);
     }
-    const std::vector<RankedDesign> ranked = rank(std::move(designs), evaluated.order);
-    const std::vector<std::size_t> shared = places(ranked, evaluated.order);
-    result.places.resize(ranked.size());
-    for (std::size_t i = 0; i < ranked.size(); ++i) {
-      result.places[ranked[i].given] = shared[i];
-      if (shared[i] == 1) result.first.push_back(ranked[i].given);
+    result.places = places_of(std::move(designs), evaluated.order);
+    for (std::size_t i = 0; i < result.places.size(); ++i) {
+      if (result.places[i] == 1) result.first.push_back(i);
     }
-    std::sort(result.first.begin(), result.first.end());
     return result;
   }
 

@@ -25,18 +25,16 @@ struct DrawnPlaces {
 
 DrawnPlaces drawn_places(std::vector<Design> designs, const UncertaintyOptions& options) {
   DrawnPlaces result;
-  result.places.resize(designs.size());
   if (!options.constraints.empty()) {
     for (const Design& design : designs) {
       result.meets.push_back(first_failure(options.constraints, design.values) == 0);
     }
   }
-  const std::vector<RankedDesign> ranked = rank(std::move(designs), options.order);
-  const std::vector<std::size_t> shared = places(ranked, options.order);
-  for (std::size_t i = 0; i < ranked.size(); ++i) {
-    result.places[ranked[i].given] = static_cast<std::uint32_t>(shared[i]);
+  const std::vector<std::size_t> places = places_of(std::move(designs), options.order);
+  result.first_is_shared = std::count(places.begin(), places.end(), std::size_t{1}) > 1;
+  for (const std::size_t place : places) {
+    result.places.push_back(static_cast<std::uint32_t>(place));
   }
-  result.first_is_shared = std::count(shared.begin(), shared.end(), std::size_t{1}) > 1;
   return result;
 }
 
