@@ -15,6 +15,7 @@
 #include "readings/row_order.hpp"
 #include "readings/row_reader.hpp"
 #include "readings/silent_runs.hpp"
+#include "readings/stuck_channels.hpp"
 
 namespace reeve::readings {
 namespace {
@@ -110,6 +111,7 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
   faults.throw_any(csv.name());
   require_rows(csv, data.readings.size(), data.notes);
   std::move(columns.notes.begin(), columns.notes.end(), std::back_inserter(data.notes));
+  leave_out_stuck_channels(data);
   leave_out_silent_runs(data);
   part_runs_by_group(data);
   if (options.group) note_groups(data);

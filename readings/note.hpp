@@ -44,6 +44,7 @@ enum class NoteKind : std::uint8_t {
   reversed,                // time series: pulling looks like releasing
   against_motion,          // time series: its column direction contradicts its motion
   sparse,                  // time series: tensions that too few samples have
+  stuck_channel,           // a sensor that reads the same in a run (stuck_channels.hpp)
   silent_run,              // a run without any sensor signal (silent_runs.hpp)
   outside_law,             // beyond the range that a law of the model was seen in
 };
@@ -81,6 +82,7 @@ inline const char* note_kind_name(NoteKind kind) {
                              "reversed",
                              "against_motion",
                              "sparse",
+                             "stuck_channel",
                              "silent_run",
                              "outside_law"};
   static_assert(names.size() == static_cast<std::size_t>(NoteKind::outside_law) + 1);

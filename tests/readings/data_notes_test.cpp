@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,6 +53,37 @@ TEST(TheUnitOfADeadSensor, IsNotAskedFor) {
   EXPECT_EQ(unit_notes("A,TR5,20,0.03\nA,TR5,25,0.02\nA,TR5,22,0.03\n"), 1U);
   EXPECT_EQ(unit_notes("A,TR5,20,0.03\nA,TR5,25,0.02\nA,TR5,22,-0.03\n"), 0U);
   EXPECT_EQ(unit_notes("A,TR5,20,0.03\nA,TR5,25,0.02\nA,TR5,22,0.03\nA,TR5,22,-0.03\n"), 1U);
+}
+
+TEST(AStuckSensor, IsLeftOutInItsRunAndNoted) {
+  const auto rows = [](const std::string& run, auto reads) {
+    std::string text;
+    for (int i = 0; i < 6; ++i) {
+      const double motor_N = 10 + 5 * i;
+      text += run + ",TR5,," + std::to_string(motor_N) + "," + std::to_string(reads(motor_N)) +
+              "," + std::to_string(motor_N / 2) + ",1\n";
+    }
+    return text;
+  };
+  const auto follows = [](double motor_N) { return motor_N / 5; };
+  const auto near = [](double motor_N) { return motor_N / 5.5; };
+  const auto hangs = [](double) { return 4.3; };
+  const std::string others = rows("A", follows) + rows("B", near);
+  const MeasuredData stuck = read_data(notes_header + others + rows("C", hangs));
+  EXPECT_EQ(noted_lines(stuck.notes, NoteKind::stuck_channel), (Lines{14, 15, 16, 17, 18, 19}));
+  for (const Reading& reading : stuck.readings) {
+    EXPECT_EQ(reading.tension_N[0].has_value(), reading.run != 2U);
+    EXPECT_TRUE(reading.tension_N[1].has_value());
+  }
+  EXPECT_EQ(lines(others + rows("C", follows), NoteKind::stuck_channel), Lines{});
+  // The same load, and the same reading.
+  const std::string held = "C,TR5,,20,4,10,1\n";
+  EXPECT_EQ(lines(others + held + held + held + held + held, NoteKind::stuck_channel), Lines{});
+  // A sensor of coarse steps.
+  const auto coarse = [](double motor_N) { return std::floor(motor_N / 15); };
+  EXPECT_EQ(lines(rows("A", coarse) + rows("B", coarse) + rows("C", [](double) { return 1.0; }),
+                  NoteKind::stuck_channel),
+            Lines{});
 }
 
 TEST(ARunInWhichNoSensorSaysAnything, IsLeftOutAndNoted) {
