@@ -293,6 +293,7 @@ Likelihood seen_at(const Dataset& dataset, const ScatterShape& shape, const Fore
   constexpr double of_normal = 0.6745;
   constexpr int most_rounds = 5;
   constexpr double settled = 1.1;
+  constexpr double by_far = 3;  // times the distance from which readings weigh less
   VectorXd deviation_N = deviations_if_near(dataset, shape.scatter.noise, at.reading_N);
   const MountedScatter scatter = scatter_at(shape, level, scale);
   const auto seen = [&] {
@@ -310,8 +311,8 @@ Likelihood seen_at(const Dataset& dataset, const ScatterShape& shape, const Fore
   result.level = level;
   result.problem = seen();
   VectorXd left = residuals(result.problem, at);
-  // A far reading draws its mounting towards it, so that others of that seem far, too, until it
-  // weighs less.
+  // A reading that is far by far draws its mounting towards it, so that others of that seem far,
+  // too, until it weighs less.
   VectorXd beyond = VectorXd::Ones(left.size());
   for (int round = 0; round < most_rounds; ++round) {
     const VectorXd before = beyond;
@@ -319,6 +320,7 @@ Likelihood seen_at(const Dataset& dataset, const ScatterShape& shape, const Fore
     beyond = (left.cwiseAbs().cwiseProduct(before) / (outlying * middle)).cwiseMax(1);
     const VectorXd change = beyond.cwiseQuotient(before);
     if (change.maxCoeff() < settled && change.minCoeff() > 1 / settled) break;
+    if (round > 0 && before.maxCoeff() < by_far) break;
     deviation_N = deviation_N.cwiseProduct(change);
     result.problem = seen();
     if (shape.set_motor_N) spread_motor(result.problem, beyond);

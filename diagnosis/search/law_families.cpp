@@ -29,7 +29,7 @@ MatrixXd indicators(const LawColumns& columns, const Parts& parts) {
 void screen_groups(const LawColumns& columns, Parts groups, FoundLaws& found) {
   if (groups.size() < few_groups) return;
   // What one of two groups has more, the other has less.
-  if (groups.size() == 2) groups.erase(groups.begin());
+  if (groups.size() == few_groups) groups.erase(groups.begin());
   const MatrixXd values = indicators(columns, groups);
   for (std::size_t l = 0; l < columns.table().levers.size(); ++l) {
     if (!columns.is_whole(l)) continue;
