@@ -187,9 +187,9 @@ void add_motion_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
   }
   if (!std::isfinite(demand.force_N)) return;
   lines.push_back(
-      {fmt::format("Work at most {:.3g} J, of which the springs keep {:.3g} J{}{}; power at "
+      {fmt::format("Work at most {:.3g} J{}, of which the springs keep {:.3g} J{}{}; power at "
                    "most {:.3g} W",
-                   demand.work_J, demand.springs_J, series_text(demand),
+                   demand.work_J, unstretched(hand), demand.springs_J, series_text(demand),
                    rest_text(demand, hand.motors), demand.power_W)});
   if (!demand.torque_Nm) return;
   lines.push_back({fmt::format("At a spool radius of {:.4g} mm: {:.3g} N m, {:.3g} rpm",
@@ -207,8 +207,14 @@ std::string springs_in_stroke(const ShownHand& hand) {
   if (hand.leaves_out_springs()) return ", if springs in series do not stretch,";
   if (!hand.demand.stretch) return "";
   return fmt::format(", of which springs in series take {:.4g} mm at {:.4g} N,",
-                     std::min(hand.demand.stretch_mm(), *hand.motor.stroke_mm),
-                     hand.demand.force_N);
+                     hand.stroke_reach->stretch_mm, hand.stroke_reach->stretch_N);
+}
+
+// ", at a stroke of 227.9 mm"; nothing where springs in series take none of it.
+std::string stroke_of_reach(const MotorDemand& demand, double motor_N) {
+  if (!demand.stretch || motor_N > demand.stretch->most_N) return "";
+  return fmt::format(", at a stroke of {:.4g} mm",
+                     demand.stroke_mm - demand.stretch_mm() + demand.stretch->travel_mm(motor_N));
 }
 
 // Adds lines on the given motor: its fingertip forces, and its closure if the stroke is too short.
@@ -221,15 +227,16 @@ void add_reach_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
         {reach.share > 0
              ? fmt::format(
                    "With {:.4g} N the fingers press with {} of all wanted forces or more, at "
-                   "the nominal coefficients: {}, {:.3g} N",
-                   reach.motor_N, percent(reach.share), where, reach.force_N)
+                   "the nominal coefficients{}: {}, {:.3g} N",
+                   reach.motor_N, percent(reach.share), stroke_of_reach(hand.demand, reach.motor_N),
+                   where, reach.force_N)
              : fmt::format("With {:.4g} N not every finger closes and presses: {}", reach.motor_N,
                            where)});
   }
   if (hand.motor.stroke_mm && !hand.stroke_reach) {
     lines.push_back(
         {fmt::format("With {:.4g} mm of stroke it is not known how far the hand closes: "
-                     "tendon slips back at springs in series",
+                     "springs in series take all of it, or tendon slips back at them",
                      *hand.motor.stroke_mm),
          true});
   }

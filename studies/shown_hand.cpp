@@ -14,6 +14,7 @@ namespace reeve::studies {
 namespace {
 
 constexpr double mm_in_m = 1000;
+constexpr double rounding = 1e-12;  // share of the work
 
 Mechanics without_friction(Mechanics mechanics) {
   mechanics.phi.assign(mechanics.phi.size(), 0.0);
@@ -248,10 +249,15 @@ class HandStudy {
   void add_stroke_reach(const GraspSet& grasps, ShownHand& shown) const {
     const auto stroke = hand_.motor.stroke_mm;
     if (!stroke) return;
-    const double stretch_mm = std::min(shown.demand.stretch_mm(), *stroke);
-    if (*stroke < shown.demand.stroke_mm && slips_back(shown.demand, *stroke - stretch_mm)) return;
+    const MotorDemand& demand = shown.demand;
+    const double force_N = std::min(demand.force_N, hand_.motor.force_N.value_or(demand.force_N));
+    const double stretch_mm = demand.stretch ? demand.stretch->travel_mm(force_N) : 0;
+    if (stretch_mm >= *stroke) return;
+    if (*stroke < demand.stroke_mm && slips_back(demand, *stroke - stretch_mm)) return;
     StrokeReach reach = stroke_reach(hand_, network_, plain_, opened(grasps), *stroke - stretch_mm);
     reach.stroke_mm += stretch_mm;
+    reach.stretch_mm = stretch_mm;
+    reach.stretch_N = force_N;
     shown.stroke_reach = reach;
   }
 
@@ -334,6 +340,7 @@ class HandStudy {
     }
     if (shown.motors > 1 || (demand.stretch && !demand.stretch->is_lossless)) return;
     demand.friction_J = demand.work_J - demand.series_J() - demand.force_N * to_fingers;
+    if (std::abs(demand.friction_J) <= rounding * demand.work_J) demand.friction_J = 0;
     demand.fingers_J = demand.force_N * to_fingers - demand.springs_J;
   }
 

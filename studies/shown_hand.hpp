@@ -61,6 +61,8 @@ struct ForceReach {
 struct StrokeReach {
   double stroke_mm = 0;  // used part of the stroke
   double closure = 0;
+  double stretch_mm = 0;  // part that springs in series take, at this motor tension
+  double stretch_N = 0;
   std::vector<int> last;       // the fingers that close least
   std::vector<double> closed;  // share of each finger's range
 };

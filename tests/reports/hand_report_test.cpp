@@ -151,24 +151,27 @@ std::string said_of(const ShownHand& hand) {
 }
 
 TEST(HandSections, SayWhatSpringsInSeriesTakeOfStrokeAndWork) {
-  const ShownHand hand = sprung_hand("M-1-T-2-F", 40, 5);
+  const ShownHand hand = sprung_hand("M-1-T-2-F", 40, 50);
   const double force_N = hand.demand.force_N;
   const std::string said = said_of(hand);
   EXPECT_TRUE(testing::has(said, fmt::format(" mm/s. Springs in series take {:.4g} mm of it, at "
                                              "{:.4g} N\n",
-                                             force_N / 5, force_N)))
+                                             force_N / 50, force_N)))
       << said;
   EXPECT_TRUE(testing::has(
-      said, fmt::format(", springs in series {:.3g} J, friction takes ", force_N * force_N / 1e4)))
+      said, fmt::format(", springs in series {:.3g} J, friction takes ", force_N * force_N / 1e5)))
       << said;
-  EXPECT_TRUE(testing::has(said, fmt::format("With 40 mm of stroke, of which springs in series "
-                                             "take {:.4g} mm at {:.4g} N, the hand closes to ",
-                                             std::min(40.0, force_N / 5), force_N)))
+  EXPECT_TRUE(testing::has(said,
+                           "With 40 mm of stroke, of which springs in series take 1.6 mm at "
+                           "80 N, the hand closes to "))
+      << said;
+  const double closing_mm = hand.demand.stroke_mm - force_N / 50;
+  EXPECT_TRUE(testing::has(said, fmt::format("at a stroke of {:.4g} mm: ", closing_mm + 1.6)))
       << said;
   Json json;
   reports::add_hand(json, hand);
-  EXPECT_NEAR(json["motor"]["stretch_mm"].get<double>(), force_N / 5, 1e-9);
-  EXPECT_NEAR(json["motor"]["series_springs_J"].get<double>(), force_N * force_N / 1e4, 1e-9);
+  EXPECT_NEAR(json["motor"]["stretch_mm"].get<double>(), force_N / 50, 1e-9);
+  EXPECT_NEAR(json["motor"]["series_springs_J"].get<double>(), force_N * force_N / 1e5, 1e-9);
   EXPECT_FALSE(motor_of("M-1-T-2-F", 40, 2).contains("stretch_mm"));
 }
 
@@ -177,6 +180,8 @@ TEST(HandSections, SayThatAStrokeLeavesOutSpringsThatAreTooSoft) {
   const std::string said = said_of(hand);
   EXPECT_TRUE(testing::has(said, " s, if springs in series do not stretch: ")) << said;
   EXPECT_TRUE(testing::has(said, "stroke, if springs in series do not stretch, the hand")) << said;
+  EXPECT_TRUE(testing::has(said, " J, if springs in series do not stretch, of which the springs"))
+      << said;
   Json json;
   reports::add_hand(json, hand);
   EXPECT_TRUE(json["motor"]["stretch_mm"].is_null());
@@ -185,8 +190,8 @@ TEST(HandSections, SayThatAStrokeLeavesOutSpringsThatAreTooSoft) {
 
 TEST(HandSections, SayThatTheClosingByAShortStrokeIsNotKnownWhereTendonSlipsBack) {
   EXPECT_TRUE(testing::has(said_of(sprung_hand("M-1-P-2-F", 0.01, 2000)),
-                           "With 0.01 mm of stroke it is not known how far the hand closes: tendon "
-                           "slips back at springs in series"));
+                           "With 0.01 mm of stroke it is not known how far the hand closes: "
+                           "springs in series take all of it, or tendon slips back at them"));
 }
 
 TEST(HandSections, SayThatSpringsBesideSeveralEndsHideFriction) {

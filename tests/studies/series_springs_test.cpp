@@ -208,7 +208,24 @@ TEST(SeriesSprings, TakeTheirPartOfAStrokeThatIsTooShort) {
   EXPECT_NEAR(reaching.stroke_reach->closure, 0.25, 1e-9);
   EXPECT_NEAR(reaching.stroke_reach->stroke_mm, stretch_mm + 5, 1e-9);
   hardware.motor.stroke_mm = stretch_mm / 2;
-  EXPECT_EQ(shown_of("M-1-F", hardware).stroke_reach->closure, 0);
+  EXPECT_FALSE(shown_of("M-1-F", hardware).stroke_reach);
+}
+
+TEST(SeriesSprings, StretchByNoMoreThanTheMotorPulls) {
+  Hardware hardware = sprung_hand({10}, {{1, 4.0, {}}});
+  const MotorDemand demand = demand_of("M-1-F", hardware);
+  hardware.motor.force_N = demand.force_N / 2;
+  hardware.motor.stroke_mm = demand.stretch_mm() / 2 + 5;
+  const StrokeReach reach = *shown_of("M-1-F", hardware).stroke_reach;
+  EXPECT_NEAR(reach.stretch_mm, demand.stretch_mm() / 2, 1e-9);
+  EXPECT_NEAR(reach.stretch_N, demand.force_N / 2, 1e-9);
+  EXPECT_NEAR(reach.closure, 0.25, 1e-9);
+}
+
+TEST(SeriesSprings, WithoutFrictionLoseNothing) {
+  Hardware hardware = sprung_hand({12, 12}, {{1, 2000.0, {}}});
+  hardware.tube.mu = hardware.sheath.mu = hardware.bearing.mu = 0;
+  EXPECT_EQ(demand_of("M-1-P-2-F", hardware).friction_J, 0);
 }
 
 // D₀ of 8 ΔD is needed, as above.
