@@ -14,7 +14,7 @@ namespace reeve::studies {
 namespace {
 
 constexpr double mm_in_m = 1000;
-constexpr double rounding = 1e-12;  // share of the work
+constexpr double rounding_of_work = 1e-12;  // share of it
 
 Mechanics without_friction(Mechanics mechanics) {
   mechanics.phi.assign(mechanics.phi.size(), 0.0);
@@ -340,7 +340,7 @@ class HandStudy {
     }
     if (shown.motors > 1 || (demand.stretch && !demand.stretch->is_lossless)) return;
     demand.friction_J = demand.work_J - demand.series_J() - demand.force_N * to_fingers;
-    if (std::abs(demand.friction_J) <= rounding * demand.work_J) demand.friction_J = 0;
+    if (std::abs(demand.friction_J) <= rounding_of_work * demand.work_J) demand.friction_J = 0;
     demand.fingers_J = demand.force_N * to_fingers - demand.springs_J;
   }
 
