@@ -75,7 +75,7 @@ std::string follows(const causes::Covariate& covariate) {
   return says_when(covariate) ? "when" : covariate_name(covariate);
 }
 
-// What a law says of readings in other files.
+// Foresight says what a law tells of readings in other files.
 enum class Foresight : std::uint8_t { of_some_runs, of_when, of_recorded };
 
 Foresight foresight(const Term& term) {
@@ -104,7 +104,7 @@ double take_foreseeing(SearchedModel& search, const std::vector<Scored>& ways, s
   return search.now.evidence - cost_of_coefficients(search, search.now.model);
 }
 
-// That the runs are some of all says less than the accepted law does.
+// A way that is of some runs says less than an accepted law of all of them.
 bool is_of_its_runs(const Effect& way, const Effect& accepted) {
   return acts_alike(way, accepted) && term_of(*accepted.cause)->form != Form::constant &&
          foresight(*term_of(*way.cause)) == Foresight::of_some_runs;

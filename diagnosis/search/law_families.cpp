@@ -28,7 +28,7 @@ MatrixXd indicators(const LawColumns& columns, const Parts& parts) {
 
 void screen_groups(const LawColumns& columns, Parts groups, FoundLaws& found) {
   if (groups.size() < few_groups) return;
-  // What one of two groups has more, the other has less.
+  // One of two groups has less of what the other has more.
   if (groups.size() == few_groups) groups.erase(groups.begin());
   const MatrixXd values = indicators(columns, groups);
   for (std::size_t l = 0; l < columns.table().levers.size(); ++l) {

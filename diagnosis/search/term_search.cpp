@@ -237,8 +237,8 @@ class Searching {
     }
   }
 
-  // What was accepted in parts, each beside fewer terms, may be one law: of the same site and
-  // target, in whatever runs.
+  // Parts that were accepted one after the other, each beside fewer terms, may be one law: of the
+  // same site and target, in whatever runs.
   void put_one_for_several() {
     for (std::size_t c = 0; c + 1 < accepted().size(); ++c) {
       const Effect first = accepted()[c].effect;

@@ -1,4 +1,4 @@
-// What is to be generated, and which part of it.
+// Options of generators say what is to be generated, and which part of it.
 #pragma once
 
 #include <cstdint>

@@ -23,7 +23,7 @@ namespace reeve::search {
 
 class TendonGenerator {
  public:
-  // Of up to so many fingers; if one tendon is wanted, of exactly as many. Keeps a reference to the
+  // Tendons have up to so many fingers; if one is wanted, exactly as many. It refers to the
   // classes, which set no limits to distinct fingers. Throws InputError on impossible parts or
   // numbers of fingers.
   TendonGenerator(const GeneratorOptions& options, const PartClasses& classes);
