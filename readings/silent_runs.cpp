@@ -13,12 +13,13 @@
 #include "readings/csv.hpp"
 
 namespace reeve::readings {
-namespace {
 
 bool has_tension(const Reading& reading) {
   return std::any_of(reading.tension_N.begin(), reading.tension_N.end(),
                      [](const auto& tension) { return tension.has_value(); });
 }
+
+namespace {
 
 bool reads_something(const Reading& reading) {
   return std::any_of(reading.tension_N.begin(), reading.tension_N.end(),

@@ -6,6 +6,9 @@
 
 namespace reeve::readings {
 
+// True if some sensor has a reading.
+bool has_tension(const Reading& reading);
+
 // Takes them out, and notes it. Where all runs are silent, none is taken out.
 void leave_out_silent_runs(MeasuredData& data);
 

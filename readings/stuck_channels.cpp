@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "readings/csv.hpp"
+#include "readings/silent_runs.hpp"
 
 namespace reeve::readings {
 namespace {
@@ -42,22 +43,50 @@ std::map<std::size_t, RunValues> by_routing(const MeasuredData& data, std::size_
   return result;
 }
 
-bool is_stuck(const RunValues& runs, std::size_t run) {
-  const Values& own = runs.at(run);
-  if (own.channel_N.size() < least_readings) return false;
-  double channel_span = 0;
-  double motor_span = 0;
-  std::set<double> different;
-  for (const auto& [other, values] : runs) {
-    if (other == run) continue;
-    channel_span = std::max(channel_span, span(values.channel_N));
-    motor_span = std::max(motor_span, span(values.motor_N));
-    different.insert(values.channel_N.begin(), values.channel_N.end());
+// Of all runs of a routing.
+struct Spans {
+  double channel_N = 0;
+  double motor_N = 0;
+};
+
+Spans greatest_spans(const RunValues& runs) {
+  Spans greatest;
+  for (const auto& [run, values] : runs) {
+    greatest.channel_N = std::max(greatest.channel_N, span(values.channel_N));
+    greatest.motor_N = std::max(greatest.motor_N, span(values.motor_N));
   }
-  if (different.size() < least_values) return false;
+  return greatest;
+}
+
+bool have_different_values(const RunValues& runs, std::size_t beside) {
+  std::set<double> different;
+  for (const auto& [run, values] : runs) {
+    if (run == beside) continue;
+    for (const double value : values.channel_N) {
+      different.insert(value);
+      if (different.size() >= least_values) return true;
+    }
+  }
+  return false;
+}
+
+// The run with the greatest span is not stuck, so that those of all runs are those of the others.
+bool is_stuck(const Values& own, const Spans& greatest) {
   const bool reads = std::ranges::any_of(own.channel_N, [](double value) { return value != 0; });
-  return reads && span(own.channel_N) < stuck_share * channel_span &&
-         span(own.motor_N) > moved_share * motor_span;
+  return own.channel_N.size() >= least_readings && reads &&
+         span(own.channel_N) < stuck_share * greatest.channel_N &&
+         span(own.motor_N) > moved_share * greatest.motor_N;
+}
+
+// Whole runs without one are left out later (silent_runs.hpp).
+void take_out_rows_without_tension(MeasuredData& data) {
+  std::vector<bool> tells(data.runs.size(), false);
+  for (const Reading& reading : data.readings) {
+    if (has_tension(reading)) tells[reading.run] = true;
+  }
+  std::erase_if(data.readings, [&](const Reading& reading) {
+    return tells[reading.run] && !has_tension(reading);
+  });
 }
 
 }  // namespace
@@ -66,8 +95,11 @@ void leave_out_stuck_channels(MeasuredData& data) {
   for (std::size_t channel = 0; channel < data.channels.size(); ++channel) {
     std::set<std::pair<std::size_t, std::size_t>> stuck;  // routing and run
     for (const auto& [routing, runs] : by_routing(data, channel)) {
+      const Spans greatest = greatest_spans(runs);
       for (const auto& [run, values] : runs) {
-        if (is_stuck(runs, run)) stuck.insert({routing, run});
+        if (is_stuck(values, greatest) && have_different_values(runs, run)) {
+          stuck.insert({routing, run});
+        }
       }
     }
     for (const auto& [routing, run] : stuck) {
@@ -87,6 +119,7 @@ void leave_out_stuck_channels(MeasuredData& data) {
       }
     }
   }
+  take_out_rows_without_tension(data);
 }
 
 }  // namespace reeve::readings

@@ -48,7 +48,7 @@ class TendonGenerator {
   std::vector<std::uint64_t> totals_;  // [fingers]
   LimitedTendons shapes_;
 
-  // Of distinct fingers: the last routing given, or the next one.
+  // The last routing given of distinct fingers, or the next one.
   Routing numbered_;
   Numbering numbering_;
   std::uint64_t next_index_ = 0;

@@ -67,7 +67,7 @@ void TreeGenerator::add_cell(TreeSize size) {
   total_ = plus(total_, times(cell.sets, cell.tendons));
 }
 
-// What trees must come to that stand beside tendons of so many fingers.
+// The goal of the trees that stand beside tendons of so many fingers.
 NumberedParts::Goal TreeGenerator::goal(int others) {
   const ClassSet& whole = classes_.admitted_classes();
   if (others == 0) return parts_.goal(whole);

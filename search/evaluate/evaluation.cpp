@@ -158,7 +158,7 @@ HandOutcome DesignEvaluator::hand_outcome() {
   return outcome;
 }
 
-// Of the grasps that are evaluated already, at the force of the motor.
+// The stretch is that of the grasps evaluated already, at the force of the motor.
 void DesignEvaluator::add_series_stretch(HandOutcome& hand) const {
   SeriesStretch stretch;
   for (const GraspOutcome& grasp : outcome_.grasps) {

@@ -102,7 +102,7 @@ bool ListedShapes::next(ListedShape& shape) {
     return true;
   }
   if (classes_.count() == 1) {
-    // Of shapes that are all alike nobody asks how many of which were passed.
+    // Nobody asks how many of which were passed of shapes that are all alike.
     ++shape.index;
     return shape.cursor.next(parts_);
   }

@@ -83,7 +83,7 @@ TEST(OutlierGroups, AreNoneWhereASensorStepsWhichIsALaw) {
   EXPECT_EQ(count_notes(result.notes, NoteKind::outlier_groups), 0U);
 }
 
-// What it reads says nothing of the rig.
+// Its readings say nothing of the rig.
 TEST(OutlierGroups, AreNoneWhereASensorSticksFromARunOn) {
   const MeasuredData data = planted_runs({}, quiet_seed);
   MeasuredData stuck = with_fault(data, later_half(data), [&](double, std::size_t) { return 4.3; });

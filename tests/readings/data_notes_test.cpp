@@ -76,6 +76,19 @@ TEST(AStuckSensor, IsLeftOutInItsRunAndNoted) {
     EXPECT_TRUE(reading.tension_N[1].has_value());
   }
   EXPECT_EQ(lines(others + rows("C", follows), NoteKind::stuck_channel), Lines{});
+  // Rows that have nothing else go; a run that has nothing else is silent.
+  const auto alone = [](const std::string& run, double by) {
+    std::string text;
+    for (int i = 1; i < 8; ++i) {
+      text += run + ",M-F,," + std::to_string(10 * i) + "," +
+              std::to_string(by > 0 ? 10 * i * by : 4.3) + ",\n";
+    }
+    return text;
+  };
+  const std::string two = "run,routing,held,motor_tension_N,Th1_N,T1_N\n" + alone("A", 0.3) +
+                          alone("B", 0.31) + alone("C", 0);
+  EXPECT_EQ(read_data(two + "C,M-1-F,,20,,5\n").readings.size(), 15U);
+  EXPECT_EQ(read_data(two).runs, (std::vector<std::string>{"A", "B"}));
   // The same load, and the same reading.
   const std::string held = "C,TR5,,20,4,10,1\n";
   EXPECT_EQ(lines(others + held + held + held + held + held, NoteKind::stuck_channel), Lines{});
