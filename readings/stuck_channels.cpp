@@ -44,13 +44,13 @@ std::map<std::size_t, RunValues> by_routing(const MeasuredData& data, std::size_
 }
 
 // Of all runs of a routing.
-struct Spans {
+struct GreatestSpans {
   double channel_N = 0;
   double motor_N = 0;
 };
 
-Spans greatest_spans(const RunValues& runs) {
-  Spans greatest;
+GreatestSpans greatest_spans(const RunValues& runs) {
+  GreatestSpans greatest;
   for (const auto& [run, values] : runs) {
     greatest.channel_N = std::max(greatest.channel_N, span(values.channel_N));
     greatest.motor_N = std::max(greatest.motor_N, span(values.motor_N));
@@ -71,7 +71,7 @@ bool have_different_values(const RunValues& runs, std::size_t beside) {
 }
 
 // The run with the greatest span is not stuck, so that those of all runs are those of the others.
-bool is_stuck(const Values& own, const Spans& greatest) {
+bool is_stuck(const Values& own, const GreatestSpans& greatest) {
   const bool reads = std::ranges::any_of(own.channel_N, [](double value) { return value != 0; });
   return own.channel_N.size() >= least_readings && reads &&
          span(own.channel_N) < stuck_share * greatest.channel_N &&
@@ -95,7 +95,7 @@ void leave_out_stuck_channels(MeasuredData& data) {
   for (std::size_t channel = 0; channel < data.channels.size(); ++channel) {
     std::set<std::pair<std::size_t, std::size_t>> stuck;  // routing and run
     for (const auto& [routing, runs] : by_routing(data, channel)) {
-      const Spans greatest = greatest_spans(runs);
+      const GreatestSpans greatest = greatest_spans(runs);
       for (const auto& [run, values] : runs) {
         if (is_stuck(values, greatest) && have_different_values(runs, run)) {
           stuck.insert({routing, run});
