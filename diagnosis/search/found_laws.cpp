@@ -27,10 +27,13 @@ What kind_of(Form form) {
   return form == Form::linear || form == Form::log ? What::straight : What::bent;
 }
 
+// std::lgamma, the shorter way, writes its sign to a variable that all threads share.
 double log_choose(std::size_t of, std::size_t chosen) {
-  const auto n = static_cast<double>(of);
-  const auto k = static_cast<double>(chosen);
-  return std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1);
+  double log = 0;
+  for (std::size_t i = 1; i <= chosen; ++i) {
+    log += std::log(static_cast<double>(of - chosen + i) / static_cast<double>(i));
+  }
+  return log;
 }
 
 Covariate as_factor(Covariate x, bool is_logarithmic) {
