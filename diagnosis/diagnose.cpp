@@ -76,8 +76,11 @@ class Diagnosis {
   DiagnosisResult run() {
     require_terms_to_show(options_.terms, sample_.training, nominal_);
     candidates_ = candidates(survey(data_), nominal_.hardware, force_scale(data_));
-    if (sample_.training.degrees_of_freedom() < too_few_degrees) {
-      note_too_few();
+    if (sample_.training.degrees_of_freedom() < too_few_degrees) note_too_few();
+    const bool is_shifted = is_noted(NoteKind::shifted_rows);
+    // Coefficients fitted to motor tensions of other rows are of no use.
+    if (is_shifted) candidates_.clear();
+    if (too_few_ || is_shifted) {
       found_ = nothing_explained(sample_.training, nominal_, candidates_, options_, workers_);
       take_over_found();
     } else {
@@ -243,7 +246,7 @@ class Diagnosis {
   void find_leads() {
     const bool is_asked = result_.unexplained || !result_.not_confirmed.empty() ||
                           result_.structure_p_value <= options_.alpha;
-    if (too_few_ || !is_asked) return;
+    if (too_few_ || is_noted(NoteKind::shifted_rows) || !is_asked) return;
     result_.leads = leads(sample_, found_.problem, found_.model, found_.scatter, workers_);
   }
 

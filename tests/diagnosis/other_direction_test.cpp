@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/diagnose.hpp"
 #include "diagnosis/verdict/model_doubts.hpp"
 #include "diagnosis/verdict/run_words.hpp"
 #include "tests/diagnosis/read_dataset.hpp"
@@ -106,6 +107,11 @@ TEST(ShiftedRows, AreSeenWhereTheMotorTensionIsOfTheRowBeforeOrBehind) {
     const auto note = note_on_shifted_rows(wrong, all_readings(wrong), {});
     ASSERT_TRUE(note);
     EXPECT_TRUE(has(note->text, late ? "of the row behind them" : "of the row before them"));
+    // Coefficients that fit them would be wrong.
+    const DiagnosisResult result = diagnose(wrong, {}, {});
+    EXPECT_EQ(result.verdict, Verdict::unexplained);
+    EXPECT_EQ(result.unexplained->where, "motor_tension_N");
+    EXPECT_TRUE(result.causes.empty());
   }
 }
 
