@@ -168,6 +168,23 @@ double least_chance(const OutlierCounts& counts) {
   return result;
 }
 
+// Two channels, in the order of their readings.
+bool read_as_each_other(const std::vector<JudgedCell>& cells, const MeasuredData& data) {
+  constexpr double clearly = 5;
+  double own = 0;
+  double exchanged = 0;
+  for (std::size_t i = 1; i < cells.size(); ++i) {
+    const JudgedCell& a = cells[i - 1];
+    const JudgedCell& b = cells[i];
+    if (a.reading != b.reading) continue;
+    const auto& tension_N = data.readings[a.reading].tension_N;
+    own += std::hypot(*tension_N[a.channel] - a.expected_N, *tension_N[b.channel] - b.expected_N);
+    exchanged +=
+        std::hypot(*tension_N[a.channel] - b.expected_N, *tension_N[b.channel] - a.expected_N);
+  }
+  return own > clearly * exchanged;
+}
+
 class OutlierFinder {
  public:
   OutlierFinder(const OutlierSearch& search, Workers& workers)
@@ -282,16 +299,22 @@ class OutlierFinder {
 
   OutlierGroups together(const std::vector<std::size_t>& channels,
                          const std::vector<std::size_t>& runs) const {
-    OutlierGroups result{channels, runs, true, 0, {}, 1, {}};
-    std::vector<JudgedCell> far;
+    OutlierGroups result;
+    result.channels = channels;
+    result.runs = runs;
+    result.everywhere = true;
+    std::vector<JudgedCell> own, far;
     for (const JudgedCell& cell : cells_) {
       if (!std::ranges::binary_search(channels, cell.channel) ||
           !std::ranges::binary_search(runs, cell.run)) {
         continue;
       }
-      ++result.readings;
+      own.push_back(cell);
       if (is_far(cell)) far.push_back(cell);
     }
+    result.readings = own.size();
+    result.exchanged =
+        channels.size() == 2 && read_as_each_other(own, *search_.training.dataset->data);
     for (const JudgedCell& cell : far) {
       if (result.outlier_rows.empty() || result.outlier_rows.back() != cell.reading) {
         result.outlier_rows.push_back(cell.reading);

@@ -68,6 +68,7 @@ struct OutlierGroups {
   std::vector<std::size_t> channels;      // ascending
   std::vector<std::size_t> runs;          // ascending
   bool everywhere = false;                // all runs in which the channels were read
+  bool exchanged = false;                 // two channels, each as the other should read
   std::size_t readings = 0;               // number of readings of these channels in these runs
   OutlierSides sides;                     // sides of the far readings
   double p_value = 1;                     // p-value of the rarest of its groups, family-wise

@@ -37,6 +37,10 @@ DataNote note_on(const OutlierGroups& together, const OutlierReadings& all,
       "({}), and {} of {} elsewhere. ",
       together.far(), together.readings, where_text(together, data), outlier_deviations,
       sides_text(together.sides), all.far_elsewhere, all.elsewhere);
+  if (together.exchanged) {
+    note.text += "Each reads as the other should: are they exchanged there?";
+    return note;
+  }
   note.text +=
       follow_something(together, alpha)
           ? "Noise chooses no channel, no run and no side: look at the sensor there, and at what was "

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <utility>
 
 #include "diagnosis/diagnose.hpp"
 #include "numerics/random.hpp"
@@ -113,6 +114,18 @@ TEST(OutlierGroups, IsASensorThatSticksNowAndThen) {
       runs_of_lines(data, noted_lines(result.notes, NoteKind::outlier_groups));
   for (const RunsApart& apart : result.apart) found.insert(apart.runs.begin(), apart.runs.end());
   EXPECT_EQ(found, names);
+}
+
+TEST(OutlierGroups, AreTwoExchangedPlugsInARun) {
+  SKIP_UNDER_SANITIZERS();
+  MeasuredData data = planted_runs({}, quiet_seed);
+  for (Reading& reading : data.readings) {
+    if (reading.run == 5) std::swap(reading.tension_N[0], reading.tension_N[2]);
+  }
+  const DiagnosisResult result = diagnosed_far(data);
+  const std::string text = note_text(result.notes, NoteKind::outlier_groups);
+  EXPECT_TRUE(has(text, "readings of T1 and T3 in run 6"));
+  EXPECT_TRUE(has(text, "are they exchanged there?"));
 }
 
 // As those of others do, but twenty times as far.
