@@ -259,6 +259,10 @@ void WordParser::require_ends(const PlacedWalk& walk) const {
   }
 }
 
+bool is_at_sheaves(const Token& token) {
+  return token.kind == TokenKind::block_pass || token.kind == TokenKind::becket;
+}
+
 void WordParser::require_inner_tokens(const PlacedWalk& walk) const {
   for (std::size_t i = 1; i < walk.size(); ++i) {
     const TokenKind kind = walk[i].token.kind;
@@ -268,6 +272,14 @@ void WordParser::require_inner_tokens(const PlacedWalk& walk) const {
                                   "between two fingers a join is needed: T, B, P or a block before "
                                   "{}",
                                   quoted_text(walk[i].at.text))});
+    }
+    if (is_at_sheaves(walk[i].token) && is_at_sheaves(walk[i - 1].token) &&
+        walk[i].token.block == walk[i - 1].token.block) {
+      word_.fail(walk[i].at, {.what = fmt::format(
+                                  "from {} straight to {} a tendon pulls block Y{} against itself: "
+                                  "B, T, P or a finger is needed between, as in M-Y1-B-Y1k",
+                                  quoted_text(walk[i - 1].at.text), quoted_text(walk[i].at.text),
+                                  walk[i].token.block)});
     }
   }
 }

@@ -153,6 +153,22 @@ TEST(NotationError, BlocksThatHangOnThemselves) {
   expect_fault("Y1-Y2-1x+Y2-Y1-2x", 1, hangs("block Y1"));
 }
 
+// The stretch between both passes is inside the block.
+TEST(NotationError, BlocksThatAWalkMeetsTwiceWithNothingBetween) {
+  for (const auto& [word, column] :
+       {std::pair{"M-Y1-Y1k+Y1-1x", 6}, {"M-Y1-Y1-F+Y1-1x", 6}, {"Y1k-Y1-M+Y1-1x", 5}}) {
+    const std::string text = word;
+    const std::string first = text.starts_with("M") ? "Y1" : "Y1k";
+    const std::string second = text.find("-Y1k") != std::string::npos ? "Y1k" : "Y1";
+    expect_fault(text, column,
+                 "from '" + first + "' straight to '" + second +
+                     "' a tendon pulls block Y1 against itself: B, T, P or a finger is needed "
+                     "between, as in M-Y1-B-Y1k");
+  }
+  EXPECT_NO_THROW(parse_routing("M-Y1-B-Y1k+Y1-1x"));
+  EXPECT_NO_THROW(parse_routing("M-Y1-Y2-F+Y1-1x+Y2-2x"));
+}
+
 TEST(NotationError, NumbersOfBlocksAndBars) {
   const std::string range = " number from 1 to 32 behind ";
   expect_fault("M-Y0", 3, "'Y0': expected a block" + range + "Y");

@@ -64,7 +64,7 @@ TEST(FloatingSchematic, OfManyFingersAndBlocksHasNoOverlap) {
 
 TEST(FloatingSchematic, OfUnusualPullsHasNoOverlap) {
   for (const char* word :
-       {"M-1-Y1+2-Y1-3-T-2", "F-1-Y1+M-2-Y1-F", "M-Y1+M-Y1+1x-Y1-2x", "M-Y1-Y1-Y1k+Y1-1x",
+       {"M-1-Y1+2-Y1-3-T-2", "F-1-Y1+M-2-Y1-F", "M-Y1+M-Y1+1x-Y1-2x", "M-Y1-B-Y1-B-Y1k+Y1-1x",
         "Y1-Y1+1x-Y1-M", "F-1x+2x-M+F-F", "M-B-T-Y1-B-T-Y1k+Y1-T-B-F", "M-Y1k+Y1-Y2k+Y2-F"}) {
     expect_sound(parse_routing(word), {});
   }

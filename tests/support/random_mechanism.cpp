@@ -43,10 +43,16 @@ std::string random_tip(Dice& dice, int finger) {
 
 std::string random_hand_join(Dice& dice) { return dice.pick<std::string>({"T", "T", "B", "P"}); }
 
-// A join where two fingers meet, sometimes elsewhere.
+// With both at its sheaves.
+bool are_of_one_block(const std::string& a, const std::string& b) {
+  return a.starts_with('Y') && a.substr(0, a.find('k')) == b.substr(0, b.find('k'));
+}
+
+// A join where two fingers or places of one block meet, sometimes elsewhere.
 void add_token(Dice& dice, const std::string& token, Words& walk) {
-  const bool fingers_meet = !walk.empty() && is_finger(walk.back()) && is_finger(token);
-  if (fingers_meet || (!walk.empty() && dice.chance(0.08))) walk.push_back(random_hand_join(dice));
+  const bool need_one = !walk.empty() && ((is_finger(walk.back()) && is_finger(token)) ||
+                                          are_of_one_block(walk.back(), token));
+  if (need_one || (!walk.empty() && dice.chance(0.08))) walk.push_back(random_hand_join(dice));
   walk.push_back(token);
 }
 
