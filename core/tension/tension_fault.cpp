@@ -26,7 +26,7 @@ const char* words_of(TensionFault fault) {
     case TensionFault::nothing_pulls:
       return "no end at a motor moves";
     case TensionFault::motor_is_pulled:
-      return "the ends that the motor lets out pull it harder than it pulls the others";
+      return "the ends that move against the others pull the motor harder than these";
   }
   return "friction is so strong that tensions fall out of range";
 }

@@ -18,7 +18,7 @@ enum class TensionFault : std::uint8_t {
   uneven_sharing,          // closings of a tree that shares fingers are not all in one ratio
   slack_remains,           // no tendon is taut after the whole travel
   nothing_pulls,           // every end at a motor stands still
-  motor_is_pulled,         // ends that it lets out pull it harder than it pulls the others
+  motor_is_pulled,         // ends that move against the others pull it harder than these
   out_of_double,           // friction is so strong that no double holds the tensions
 };
 

@@ -67,16 +67,26 @@ void DesignEvaluator::share_trees() {
   }
 }
 
-const TensionState& DesignEvaluator::solve(Grasp grasp, Direction direction) {
+const TensionState& DesignEvaluator::try_solve(Grasp grasp, Direction direction) {
   if (is_shared_ && shared_->solve(grasp, direction, state_)) return state_;
   if (!model_solver_) {
     solver_.solve(network_, mechanics_, grasp, direction, state_);
-    return require_in_range(state_, grasp);
+    return state_;
   }
-  const TensionState& state =
-      require_in_range(model_solver_->solve(grasp, direction, model_->conditions), grasp);
-  if (!model_solver_->converged()) ++unconverged_;
+  const TensionState& state = model_solver_->solve(grasp, direction, model_->conditions);
+  if (state.in_range && !model_solver_->converged()) ++unconverged_;
   return state;
+}
+
+const TensionState& DesignEvaluator::solve(Grasp grasp, Direction direction) {
+  return require_in_range(try_solve(grasp, direction), grasp);
+}
+
+// 0 where friction locks the fingers, so that the motor has to work to release them.
+double DesignEvaluator::release_efficiency(Grasp grasp) {
+  const TensionState& released = try_solve(grasp, Direction::release);
+  if (released.fault == TensionFault::motor_is_pulled) return 0;
+  return motor_efficiency(network_, require_in_range(released, grasp), Direction::release);
 }
 
 const Mechanics& DesignEvaluator::solved_mechanics() {
@@ -97,9 +107,8 @@ GraspOutcome DesignEvaluator::in_grasp(const WeightedGrasp& grasp, const Evaluat
     outcome.grip = grip(pulled, grasp.grasp);
   }
   if (!scope.release) return outcome;
-  const TensionState& released = solve(grasp.grasp, Direction::release);
-  outcome.round_trip_efficiency = round_trip_efficiency(
-      outcome.pull.efficiency, motor_efficiency(network_, released, Direction::release));
+  outcome.round_trip_efficiency =
+      round_trip_efficiency(outcome.pull.efficiency, release_efficiency(grasp.grasp));
   return outcome;
 }
 

@@ -80,7 +80,10 @@ class DesignEvaluator {
   const Network& moving_network() const;
   const Mechanics& moving_mechanics() const;
   GraspOutcome in_grasp(const WeightedGrasp& grasp, const EvaluationScope& scope);
+  const TensionState& try_solve(Grasp grasp, Direction direction);
+  // Throws OutOfRange where there are no tensions.
   const TensionState& solve(Grasp grasp, Direction direction);
+  double release_efficiency(Grasp grasp);
   const Mechanics& solved_mechanics();  // of the last solve
   double travel();
   double jams();  // in all grasps

@@ -171,7 +171,7 @@ TEST(SpoolsWoundTheOtherWay, AreOutOfRangeWhereTheyWouldPullTheMotor) {
   EXPECT_NE(testing::out_of_range([&] {
               const Network network = network_of("M-1-M");
               tensions(network, mechanics(network, hardware), {}, Direction::release);
-            }).find("the ends that the motor lets out pull it harder"),
+            }).find("the ends that move against the others pull the motor"),
             std::string::npos);
 }
 
