@@ -49,7 +49,7 @@ FingerPull closed_pull(const HandFinger& finger, const FingerPull& pull) {
 }
 
 // A joint asks this of the motor: nothing where its need is met without any pull.
-double asked_force(double need_N, double pull_per_motor) {
+double force_for(double need_N, double pull_per_motor) {
   if (need_N <= 0) return 0;
   return pull_per_motor > 0 ? need_N / pull_per_motor : std::numeric_limits<double>::infinity();
 }
@@ -152,16 +152,6 @@ double working_pull(const HandFinger& finger, const FingerPull& pull) {
   return work_Nmm / finger.excursion_mm;
 }
 
-std::size_t asking_joint(const HandFinger& finger, const FingerPull& pull) {
-  const auto asks_less = [&](const JointDemand& a, const JointDemand& b) {
-    return a.grip_N * pull.behind_guide_N(b.held_decay) <
-           b.grip_N * pull.behind_guide_N(a.held_decay);
-  };
-  return static_cast<std::size_t>(
-      std::max_element(finger.demands.begin(), finger.demands.end(), asks_less) -
-      finger.demands.begin());
-}
-
 double spring_energy(const HandFinger& finger, double share) {
   double energy_Nmm = 0;
   for (const FingerJoint& joint : finger.joints) {
@@ -172,16 +162,23 @@ double spring_energy(const HandFinger& finger, double share) {
   return energy_Nmm / 1000;
 }
 
-double motor_force(const HandFinger& finger, bool held, const FingerPull& pull_per_motor) {
+AskedForce asked_force(const HandFinger& finger, bool held, const FingerPull& pull_per_motor) {
   const FingerPull closed = closed_pull(finger, pull_per_motor);
-  double force = 0;
-  for (const JointDemand& joint : finger.demands) {
-    force =
-        std::max(force, asked_force(joint.grip_N, pull_per_motor.behind_guide_N(joint.held_decay)));
-    if (held) continue;
-    force = std::max(force, asked_force(joint.close_N, closed.behind_guide_N(joint.closed_decay)));
+  AskedForce most;
+  for (std::size_t j = 0; j < finger.demands.size(); ++j) {
+    const JointDemand& joint = finger.demands[j];
+    double force = force_for(joint.grip_N, pull_per_motor.behind_guide_N(joint.held_decay));
+    if (!held) {
+      const double closing = force_for(joint.close_N, closed.behind_guide_N(joint.closed_decay));
+      force = std::max(force, closing);
+    }
+    if (force > most.motor_N) most = {force, j};
   }
-  return force;
+  return most;
+}
+
+double motor_force(const HandFinger& finger, bool held, const FingerPull& pull_per_motor) {
+  return asked_force(finger, held, pull_per_motor).motor_N;
 }
 
 GripDemand grip_demand(const Hand& hand, int fingers, const HandPulls& pulls, Grasp grasp) {

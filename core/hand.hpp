@@ -90,9 +90,6 @@ bool closes_springs(const HandFinger& finger, const FingerPull& per_motor, doubl
 // their ranges: less than the pull by the friction of the guides.
 double working_pull(const HandFinger& finger, const FingerPull& pull);
 
-// The joint that asks for most of a pull in this proportion, for the wanted force.
-std::size_t asking_joint(const HandFinger& finger, const FingerPull& pull);
-
 // Energy in a finger's springs over that in the open hand, all joints at this share of their
 // ranges, J.
 double spring_energy(const HandFinger& finger, double share = 1);
@@ -109,7 +106,12 @@ struct GripDemand {
   SeriesStretch stretch{};
 };
 GripDemand grip_demand(const Hand& hand, int fingers, const HandPulls& pulls, Grasp grasp);
-// Returns the motor force that one finger alone needs.
+// Motor force that one finger alone needs, and the joint that sets it, from 0.
+struct AskedForce {
+  double motor_N = 0;
+  std::size_t joint = 0;
+};
+AskedForce asked_force(const HandFinger& finger, bool held, const FingerPull& pull_per_motor);
 double motor_force(const HandFinger& finger, bool held, const FingerPull& pull_per_motor);
 
 }  // namespace reeve::core

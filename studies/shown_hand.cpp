@@ -58,7 +58,8 @@ void add_greatest_force(const Hand& hand, const std::vector<ShownHandGrasp>& gra
   }
   // The force is rounded as the objective motor_force, so that both are the same number.
   demand.force_N = on_grid(demand.force_N);
-  demand.joint = asking_joint(hand.finger(demand.weakest), pull);
+  demand.joint =
+      asked_force(hand.finger(demand.weakest), demand.grasp.holds(demand.weakest), pull).joint;
 }
 
 bool passes(const Network& network, const TendonSpan& tendon, int finger) {

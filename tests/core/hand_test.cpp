@@ -110,8 +110,22 @@ TEST(HandFinger, NeedsForAForceThePullThatHoldsIt) {
   const HandFinger finger = finger_of(parts);
   const HeldForce held = held_force(finger, {1}, motor_force(finger, true, {1}));
   EXPECT_DOUBLE_EQ(held.force_N, 5);
-  EXPECT_EQ(held.joint, asking_joint(finger, {1}));
+  EXPECT_EQ(held.joint, asked_force(finger, true, {1}).joint);
   EXPECT_EQ(held.joint, 0U);  // the knuckle has the longest lever for its arm
+}
+
+TEST(HandFinger, AsksThroughTheJointWhoseGripOrClosingNeedsMost) {
+  FingerParts parts = three_joint_finger();
+  parts.joints = {{.arm_mm = 10, .range_deg = 90, .lever_mm = 10},
+                  {.arm_mm = 10, .range_deg = 90, .lever_mm = 60}};
+  parts.joints[0].spring_Nmm_rad = 100;
+  parts.joints[0].held_deg = 10;
+  parts.force_N = 1;
+  const HandFinger finger = finger_of(parts);
+  EXPECT_EQ(asked_force(finger, true, {1}).joint, 1U);
+  const AskedForce open = asked_force(finger, false, {1});
+  EXPECT_EQ(open.joint, 0U);
+  EXPECT_DOUBLE_EQ(open.motor_N, 100 * 90 * degree / 10);
 }
 
 TEST(HandFinger, KeepsInItsSpringsTheWorkOfTurningItsJoints) {
