@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "numerics/robust.hpp"
 #include "readings/csv.hpp"
 #include "readings/silent_runs.hpp"
 
@@ -18,15 +20,18 @@ constexpr std::size_t least_readings = 5;
 constexpr std::size_t least_values = 10;
 constexpr double stuck_share = 0.02;
 constexpr double moved_share = 0.5;
+constexpr double same_share = 0.1;
 
 struct Values {
   std::vector<double> channel_N;
   std::vector<double> motor_N;
 };
 
-double span(const std::vector<double>& values) {
-  const auto [least, greatest] = std::ranges::minmax(values);
-  return greatest - least;
+// Without the least and the greatest: one bad cell is no span.
+double inner_span(std::vector<double> values) {
+  if (values.size() < least_readings) return 0;
+  std::ranges::sort(values);
+  return values[values.size() - 2] - values[1];
 }
 
 // By run, of one routing.
@@ -43,19 +48,21 @@ std::map<std::size_t, RunValues> by_routing(const MeasuredData& data, std::size_
   return result;
 }
 
-// Of all runs of a routing.
-struct GreatestSpans {
+// Typical of the runs of a routing but one.
+struct TypicalSpans {
   double channel_N = 0;
   double motor_N = 0;
 };
 
-GreatestSpans greatest_spans(const RunValues& runs) {
-  GreatestSpans greatest;
+TypicalSpans typical_spans(const RunValues& runs, std::size_t beside) {
+  std::vector<double> channel_N, motor_N;
   for (const auto& [run, values] : runs) {
-    greatest.channel_N = std::max(greatest.channel_N, span(values.channel_N));
-    greatest.motor_N = std::max(greatest.motor_N, span(values.motor_N));
+    if (run == beside) continue;
+    channel_N.push_back(inner_span(values.channel_N));
+    motor_N.push_back(inner_span(values.motor_N));
   }
-  return greatest;
+  if (channel_N.empty()) return {};
+  return {median(std::move(channel_N)), median(std::move(motor_N))};
 }
 
 bool have_different_values(const RunValues& runs, std::size_t beside) {
@@ -70,12 +77,12 @@ bool have_different_values(const RunValues& runs, std::size_t beside) {
   return false;
 }
 
-// The run with the greatest span is not stuck, so that those of all runs are those of the others.
-bool is_stuck(const Values& own, const GreatestSpans& greatest) {
-  const bool reads = std::ranges::any_of(own.channel_N, [](double value) { return value != 0; });
-  return own.channel_N.size() >= least_readings && reads &&
-         span(own.channel_N) < stuck_share * greatest.channel_N &&
-         span(own.motor_N) > moved_share * greatest.motor_N;
+bool is_stuck(const Values& own, const TypicalSpans& others) {
+  if (own.channel_N.size() < least_readings) return false;
+  const double span_N = inner_span(own.channel_N);
+  return span_N < same_share * std::abs(median(own.channel_N)) &&
+         span_N < stuck_share * others.channel_N &&
+         inner_span(own.motor_N) > moved_share * others.motor_N;
 }
 
 // Whole runs without one are left out later (silent_runs.hpp).
@@ -95,9 +102,8 @@ void leave_out_stuck_channels(MeasuredData& data) {
   for (std::size_t channel = 0; channel < data.channels.size(); ++channel) {
     std::set<std::pair<std::size_t, std::size_t>> stuck;  // routing and run
     for (const auto& [routing, runs] : by_routing(data, channel)) {
-      const GreatestSpans greatest = greatest_spans(runs);
       for (const auto& [run, values] : runs) {
-        if (is_stuck(values, greatest) && have_different_values(runs, run)) {
+        if (is_stuck(values, typical_spans(runs, run)) && have_different_values(runs, run)) {
           stuck.insert({routing, run});
         }
       }

@@ -1,10 +1,11 @@
 // Sensors that read the same in a whole run, whatever pulls: an amplifier that hangs, a plug that
 // is out. Their readings say nothing of the rig.
 //
-// A channel is stuck in a run if its readings there, 5 at least and not 0 alone, span less than 2 %
-// of the most that they span in another run of the routing, while the motor tension spans over half
-// of the most that it does there. Other runs have ten different readings, so that a coarse step is
-// no sign of it.
+// A channel is stuck in a run if its readings there, 5 at least, span less than a tenth of their
+// median and less than 2 % of what they span in other runs of the routing, while the motor tension
+// spans over half of what it does there: without the least and the greatest reading, one of which
+// may be a bad cell, and the median of these runs. Other runs have ten different readings, so that
+// a coarse step is no sign of it.
 #pragma once
 
 #include "readings/measured_data.hpp"

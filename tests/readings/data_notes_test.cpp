@@ -76,6 +76,14 @@ TEST(AStuckSensor, IsLeftOutInItsRunAndNoted) {
     EXPECT_TRUE(reading.tension_N[1].has_value());
   }
   EXPECT_EQ(lines(others + rows("C", follows), NoteKind::stuck_channel), Lines{});
+  // One bad cell, here or in another run, is not what readings span.
+  const std::string bad = "A,TR5,,20,-9999,10,1\n";
+  EXPECT_EQ(lines(bad + others + rows("C", follows), NoteKind::stuck_channel), Lines{});
+  const std::string slip = "C,TR5,,20,430,10,1\n";
+  EXPECT_EQ(lines(bad + others + rows("C", hangs) + slip, NoteKind::stuck_channel).size(), 7U);
+  // Small readings that follow the motor, beside runs that release, where they are much greater.
+  const auto small = [](double motor_N) { return motor_N / 400; };
+  EXPECT_EQ(lines(others + rows("C", small), NoteKind::stuck_channel), Lines{});
   // Rows that have nothing else go; a run that has nothing else is silent.
   const auto alone = [](const std::string& run, double by) {
     std::string text;
