@@ -82,7 +82,7 @@ void note_what_is_left_out(const MeasuredData& data, const RunSplit& split, Samp
              std::move(lines));
   }
   const std::size_t silent =
-      data.readings.size() - split.dropped.size() - sample.rows - sample.thinned_rows;
+      split.training.size() + split.held_out.size() - sample.rows - sample.thinned_rows;
   if (silent > 0) {
     add_note(sample,
              fmt::format("{} rows without motor tension, or with a motor tension of 0, have fewer "
@@ -101,10 +101,12 @@ void note_what_is_left_out(const MeasuredData& data, const RunSplit& split, Samp
 
 }  // namespace
 
-RunSplit split_by_run(const MeasuredData& data, double share, std::uint64_t seed) {
+RunSplit split_by_run(const MeasuredData& data, double share, std::uint64_t seed,
+                      const std::vector<std::size_t>& incomplete) {
   RunSplit split;
   split.dropped = repeated_readings(data);
-  const std::set<std::size_t> dropped(split.dropped.begin(), split.dropped.end());
+  std::set<std::size_t> dropped(split.dropped.begin(), split.dropped.end());
+  dropped.insert(incomplete.begin(), incomplete.end());
   const std::set<std::size_t> held = draw_held_out(data, dropped, share, seed);
   for (std::size_t i = 0; i < data.readings.size(); ++i) {
     if (dropped.count(i) != 0) continue;
@@ -137,8 +139,9 @@ std::vector<std::size_t> thinned(const MeasuredData& data, std::vector<std::size
   return kept;
 }
 
-Sample sample(const MeasuredData& data, double share, std::uint64_t seed) {
-  const RunSplit split = split_by_run(data, share, seed);
+Sample sample(const MeasuredData& data, double share, std::uint64_t seed,
+              const std::vector<std::size_t>& incomplete) {
+  const RunSplit split = split_by_run(data, share, seed, incomplete);
   Sample result;
   const auto thin = [&](const std::vector<std::size_t>& readings) {
     std::vector<std::size_t> kept = thinned(data, readings, most_readings);

@@ -24,8 +24,10 @@ struct RunSplit {
   std::vector<std::size_t> dropped;  // readings that are copies of an earlier one
 };
 
-// `share` of the runs, at least one and not all, unless it is 0 or there is one run only.
-RunSplit split_by_run(const MeasuredData& data, double share, std::uint64_t seed);
+// `share` of the runs, at least one and not all, unless it is 0 or there is one run only. Without
+// the incomplete readings (filled_columns.hpp).
+RunSplit split_by_run(const MeasuredData& data, double share, std::uint64_t seed,
+                      const std::vector<std::size_t>& incomplete = {});
 
 // Readings that are no repetition, thinned evenly within each run to at most `most`.
 std::vector<std::size_t> thinned(const MeasuredData& data, std::vector<std::size_t> readings,
@@ -52,6 +54,7 @@ struct Sample : SampleCounts {
 
 // `share` of the runs is held out. Throws InputError if no row can be compared.
 // `data` must outlive the sample.
-Sample sample(const MeasuredData& data, double share, std::uint64_t seed);
+Sample sample(const MeasuredData& data, double share, std::uint64_t seed,
+              const std::vector<std::size_t>& incomplete = {});
 
 }  // namespace reeve::diagnosis

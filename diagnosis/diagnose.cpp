@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "diagnosis/chosen_readings.hpp"
 #include "diagnosis/diagnosis_result.hpp"
+#include "diagnosis/filled_columns.hpp"
 #include "diagnosis/fit/intervals.hpp"
 #include "diagnosis/fit/problem.hpp"
 #include "diagnosis/plan/next_measurement.hpp"
@@ -62,10 +63,11 @@ constexpr double too_few_degrees = 8;
 class Diagnosis {
  public:
   Diagnosis(const MeasuredData& data, const Hardware& hardware, const DiagnoseOptions& options)
-      : data_(data),
+      : filled_(filled_columns(data)),
+        data_(filled_.data),
         options_(options),
         workers_(options.threads, options.stop),
-        sample_(sample(data, options.hold_out, options.seed)) {
+        sample_(sample(data_, options.hold_out, options.seed, filled_.incomplete)) {
     nominal_.hardware = hardware;
     result_.model = nominal_;
     const SampleCounts& counts = sample_;
@@ -480,6 +482,7 @@ class Diagnosis {
     result_.left_out = left_out_runs(data_, readings, result_.model, found_.scatter, workers_);
   }
 
+  const FilledColumns filled_;
   const MeasuredData& data_;
   const DiagnoseOptions& options_;
   Workers workers_;
