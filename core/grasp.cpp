@@ -292,10 +292,12 @@ bool treats_fingers_alike(const GraspSet& grasps, int fingers) {
   return true;
 }
 
+Grasp opened(const Grasp& grasp) { return {0, grasp.carriages, grasp.locked}; }
+
 std::vector<Grasp> opened(const GraspSet& grasps) {
   std::vector<Grasp> open_grasps;
   for (const auto& [grasp, weight] : grasps) {
-    const Grasp open{0, grasp.carriages, grasp.locked};
+    const Grasp open = opened(grasp);
     if (std::ranges::find(open_grasps, open) == open_grasps.end()) open_grasps.push_back(open);
   }
   return open_grasps;

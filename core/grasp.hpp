@@ -88,6 +88,8 @@ GraspSet parse_grasps(const std::string& text, int fingers, int motors = 1,
 // True if renaming fingers 1 … n leaves the set as it is. Locked ends are of certain fingers.
 bool treats_fingers_alike(const GraspSet& grasps, int fingers);
 bool treats_motors_alike(const GraspSet& grasps);
+// The grasp with no finger held.
+Grasp opened(const Grasp& grasp);
 // The grasps with no finger held, each once: how carriages travel and which ends are locked.
 std::vector<Grasp> opened(const GraspSet& grasps);
 std::string to_text(const GraspSet& grasps);

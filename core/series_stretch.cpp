@@ -1,7 +1,9 @@
 #include "core/series_stretch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 #include "core/motor_sides.hpp"
 #include "core/tension/tension.hpp"
@@ -111,6 +113,22 @@ double SeriesStretch::work_J(double motor_N) const {
   return is_lossless ? stored_J(motor_N) : motor_N * travel_mm(motor_N) / mJ_in_J;
 }
 
+bool shares_slack(const Network& network, const Mechanics& mechanics) {
+  if (mechanics.slack_mm.empty()) return false;
+  std::array<std::set<std::size_t>, max_carriages> trees;
+  std::array<bool, max_carriages> slack{};
+  for (const TendonSpan& tendon : network.tendons) {
+    for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
+      if (network.segments[i].kind != SegmentKind::motor_side) continue;
+      const auto carriage = static_cast<std::size_t>(network.segments[i].carriage) - 1;
+      trees[carriage].insert(tendon.tree);
+      slack[carriage] |= mechanics.slack_mm[i] > 0;
+      if (slack[carriage] && trees[carriage].size() > 1) return true;
+    }
+  }
+  return false;
+}
+
 SeriesStretch greatest(const SeriesStretch& one, const SeriesStretch& other) {
   SeriesStretch result = one.travel_mm_N < other.travel_mm_N ? other : one;
   result.is_known = one.is_known && other.is_known;
@@ -128,7 +146,8 @@ SeriesStretch series_stretch(const Network& network, const Mechanics& mechanics,
                              const TensionState& state) {
   if (mechanics.springs_mm.empty()) return {};
   const bool is_seized = std::ranges::find(mechanics.decay, 0.0) != mechanics.decay.end();
-  if (is_seized || network.shared || carriage_count(network) > 1) return {.is_known = false};
+  const bool is_unlike = network.shared || carriage_count(network) > 1;
+  if (is_seized || is_unlike || shares_slack(network, mechanics)) return {.is_known = false};
   SeriesStretch all;
   for (std::size_t tree = 0; tree < network.tendons.size(); ++tree) {
     if (network.tendons[tree].tree != tree) continue;

@@ -36,11 +36,16 @@
 // depends on the way, and only F ΔD bounds it. Several trees part F otherwise on the way than at
 // its end.
 //
+// A tree with slack s is closed at D₀ = (s + Σ c_f x_f) / m and stretches from there on, as without
+// slack. If trees on one carriage are closed at D₀ of their own, F is Σ (D − D₀) over ΔD per newton
+// of each: not in proportion to the pulls, which the shares by slack (tension/kinematics.hpp) are.
+//
 // Not counted: a hand that is not closed by its stroke, or by no motor force. Fingers would close
 // further than they do with stiff tendons, by what other trees stretch.
 //
-// Not known: several motors, second tendons of a finger, seized contacts, and blocks that tie so
-// many tendons together that springs of unlike stretch move fingers.
+// Not known: several motors, second tendons of a finger, seized contacts, slack of a tree beside
+// others on one carriage, and blocks that tie so many tendons together that springs of unlike
+// stretch move fingers.
 #pragma once
 
 #include <limits>
@@ -72,7 +77,10 @@ struct SeriesStretch {
 SeriesStretch series_stretch(const Network& network, const Mechanics& mechanics, const Grasp& grasp,
                              const TensionState& state);
 
-// The stretch that is enough for two grasps.
+// True if trees on one carriage share its force, and one of them has slack.
+bool shares_slack(const Network& network, const Mechanics& mechanics);
+
+// The stretch that is enough for two grasps with the same open hand.
 SeriesStretch greatest(const SeriesStretch& one, const SeriesStretch& other);
 
 // True if a hand with this closure and motor force is closed in a known state.

@@ -120,28 +120,35 @@ std::string no_pull_words(NoPull no_pull, int motors) {
   return blocked;
 }
 
-void add_force_lines(const MotorDemand& demand, int motors, std::vector<DocumentLine>& lines) {
+const char* unstretched(const ShownHand& hand) {
+  return hand.leaves_out_springs() ? ", if springs in series do not stretch" : "";
+}
+
+std::string slack_text(const ShownHand& hand) {
+  if (!hand.slack_shared_at_mm) return "";
+  return fmt::format(", with the shares of tendons with slack at a carriage travel of {:.4g} mm",
+                     *hand.slack_shared_at_mm);
+}
+
+void add_force_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
+  const MotorDemand& demand = hand.demand;
   if (!std::isfinite(demand.force_N)) {
-    lines.push_back(
-        {fmt::format("No motor force is enough: with held {} finger {} hangs on slack "
-                     "strands, since {}",
-                     to_text(demand.grasp), demand.weakest, no_pull_words(demand.no_pull, motors)),
-         true});
+    lines.push_back({fmt::format("No motor force is enough: with held {} finger {} hangs on slack "
+                                 "strands, since {}",
+                                 to_text(demand.grasp), demand.weakest,
+                                 no_pull_words(demand.no_pull, hand.motors)),
+                     true});
     return;
   }
   if (demand.force_N == 0) {
     lines.push_back({"Motor force 0 N: no finger is to press, and no spring is to be overcome"});
     return;
   }
-  lines.push_back(
-      {fmt::format("Nominal motor force {:.4g} N: finger {} sets it, at its joint {}, with "
-                   "held {}. Friction costs {} of it: without, {:.4g} N would do",
-                   demand.force_N, demand.weakest, demand.joint + 1, to_text(demand.grasp),
-                   percent(demand.friction_cost()), demand.frictionless_N)});
-}
-
-const char* unstretched(const ShownHand& hand) {
-  return hand.leaves_out_springs() ? ", if springs in series do not stretch" : "";
+  lines.push_back({fmt::format(
+      "Nominal motor force {:.4g} N{}{}: finger {} sets it, at its joint {}, with "
+      "held {}. Friction costs {} of it: without, {:.4g} N would do",
+      demand.force_N, unstretched(hand), slack_text(hand), demand.weakest, demand.joint + 1,
+      to_text(demand.grasp), percent(demand.friction_cost()), demand.frictionless_N)});
 }
 
 std::string stretch_text(const MotorDemand& demand) {
@@ -152,7 +159,7 @@ std::string stretch_text(const MotorDemand& demand) {
 
 std::string series_text(const MotorDemand& demand) {
   if (!demand.stretch) return "";
-  return fmt::format(", springs in series {:.3g} J", demand.series_J());
+  return fmt::format(", springs in series {:.3g} J", demand.series_J);
 }
 
 std::string rest_text(const MotorDemand& demand, int motors) {
@@ -211,10 +218,9 @@ std::string springs_in_stroke(const ShownHand& hand) {
 }
 
 // ", at a stroke of 227.9 mm"; nothing where springs in series take none of it.
-std::string stroke_of_reach(const MotorDemand& demand, double motor_N) {
-  if (!demand.stretch || motor_N > demand.stretch->most_N) return "";
-  return fmt::format(", at a stroke of {:.4g} mm",
-                     demand.stroke_mm - demand.stretch_mm() + demand.stretch->travel_mm(motor_N));
+std::string stroke_of_reach(const ShownHand& hand) {
+  if (!hand.springs || !hand.force_reach->stroke_mm) return "";
+  return fmt::format(", at a stroke of {:.4g} mm", *hand.force_reach->stroke_mm);
 }
 
 // Adds lines on the given motor: its fingertip forces, and its closure if the stroke is too short.
@@ -228,8 +234,7 @@ void add_reach_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
              ? fmt::format(
                    "With {:.4g} N the fingers press with {} of all wanted forces or more, at "
                    "the nominal coefficients{}: {}, {:.3g} N",
-                   reach.motor_N, percent(reach.share), stroke_of_reach(hand.demand, reach.motor_N),
-                   where, reach.force_N)
+                   reach.motor_N, percent(reach.share), stroke_of_reach(hand), where, reach.force_N)
              : fmt::format("With {:.4g} N not every finger closes and presses: {}", reach.motor_N,
                            where)});
   }
@@ -250,7 +255,9 @@ void add_reach_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
 }
 
 Json force_reach_json(const ForceReach& reach) {
-  Json json{{"motor_N", reach.motor_N}, {"share_of_wanted", number(reach.share)}};
+  Json json{{"motor_N", reach.motor_N},
+            {"share_of_wanted", number(reach.share)},
+            {"stroke_mm", value_or_null(reach.stroke_mm, number)}};
   if (reach.weakest == 0) {
     json["weakest"] = nullptr;
     return json;
@@ -325,10 +332,11 @@ Json motor_json(const ShownHand& hand) {
       {"drawn", motor_force_json(hand.drawn, hand.motor)},
       {"force_reach", value_or_null(hand.force_reach, force_reach_json)},
       {"stroke_reach", value_or_null(hand.stroke_reach, stroke_reach_json)}};
+  if (hand.slack_shared_at_mm) json["slack_shared_at_mm"] = *hand.slack_shared_at_mm;
   if (hand.springs) {
     const bool is_counted = demand.stretch.has_value();
     json["stretch_mm"] = is_counted ? number(demand.stretch_mm()) : Json(nullptr);
-    json["series_springs_J"] = is_counted ? number(demand.series_J()) : Json(nullptr);
+    json["series_springs_J"] = is_counted ? number(demand.series_J) : Json(nullptr);
   }
   return json;
 }
@@ -341,7 +349,7 @@ std::vector<Section> hand_sections(const ShownHand& hand) {
     lines.push_back({fmt::format("Without {}, with which fingers open: nothing is gripped then",
                                  to_text(hand.opening))});
   }
-  add_force_lines(hand.demand, hand.motors, lines);
+  add_force_lines(hand, lines);
   append(lines, motor_lines(hand.drawn, hand.motor));
   add_motion_lines(hand, lines);
   add_reach_lines(hand, lines);

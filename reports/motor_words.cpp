@@ -25,16 +25,14 @@ std::string enough_text(const MotorForce& force, double motor_N) {
                      percent(force.p95_N / motor_N));
 }
 
-// A hand that jams might go on where springs stretch, which no force counts.
 const char* springs_text(const MotorForce& force) {
   return force.leaves_out_springs ? ", if springs in series do not stretch" : "";
 }
 
 DocumentLine motor_line(const MotorForce& force, const MotorParts& motor) {
-  const std::string text =
-      fmt::format("Motor force: {} nominal, {} in 95 % of {} draw{}{}", force_text(force.nominal_N),
-                  force_text(force.p95_N), force.draws, force.draws == 1 ? "" : "s",
-                  std::isfinite(force.p95_N) ? "" : springs_text(force));
+  const std::string text = fmt::format(
+      "Motor force: {} nominal, {} in 95 % of {} draw{}{}", force_text(force.nominal_N),
+      force_text(force.p95_N), force.draws, force.draws == 1 ? "" : "s", springs_text(force));
   if (!motor.force_N) return {text};
   return {text + ". " + enough_text(force, *motor.force_N), !force.is_met_by(*motor.force_N)};
 }
@@ -51,17 +49,17 @@ std::vector<DocumentLine> stroke_lines(const MotorForce& force, const MotorParts
 }
 
 // "Motors: M 65.8 N over 85.9 mm, M2 40.0 N over 21.3 mm"
-std::vector<DocumentLine> lines_of_motors(const std::vector<MotorNeed>& motors) {
-  if (motors.size() < 2) return {};
+std::vector<DocumentLine> lines_of_motors(const MotorForce& force) {
+  if (force.motors.size() < 2) return {};
   std::vector<std::string> needs;
-  for (const MotorNeed& need : motors) {
+  for (const MotorNeed& need : force.motors) {
     const std::string name = motor_name(static_cast<int>(needs.size()) + 1);
     const std::string stroke = std::isfinite(need.stroke_mm)
                                    ? fmt::format("over {} mm", fixed(need.stroke_mm, 1))
                                    : "with its carriage blocked";
     needs.push_back(fmt::format("{} {} {}", name, force_text(need.force_N), stroke));
   }
-  return {{fmt::format("Motors: {}", fmt::join(needs, ", "))}};
+  return {{fmt::format("Motors{}: {}", springs_text(force), fmt::join(needs, ", "))}};
 }
 
 Json motors_json(const std::vector<MotorNeed>& motors) {
@@ -82,7 +80,7 @@ std::vector<DocumentLine> motor_lines(const std::optional<MotorForce>& force,
   std::vector<DocumentLine> lines = stroke_lines(*force, motor);
   lines.insert(lines.begin(), motor_line(*force, motor));
   append(lines, energy_lines(force->least_work_J, motor, force->motors.size()));
-  append(lines, lines_of_motors(force->motors));
+  append(lines, lines_of_motors(*force));
   return lines;
 }
 
@@ -103,7 +101,10 @@ std::vector<DocumentLine> energy_lines(double least_work_J, const MotorParts& mo
 Json motor_force_json(const std::optional<MotorForce>& force, const MotorParts& motor) {
   if (!force) return nullptr;
   const auto is_enough = [&](double motor_N) { return Json(force->is_met_by(motor_N)); };
-  const auto reaches = [&](double most_mm) { return Json(force->stroke_mm <= most_mm); };
+  const auto reaches = [&](double most_mm) {
+    const bool enough = force->stroke_mm <= most_mm;
+    return enough && force->leaves_out_springs ? Json(nullptr) : Json(enough);
+  };
   Json json{{"nominal_N", number(force->nominal_N)},
             {"p95_N", number(force->p95_N)},
             {"draws", force->draws},

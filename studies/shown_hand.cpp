@@ -108,35 +108,55 @@ NoPull no_pull(const Network& network, const Mechanics& mechanics, const TendonP
                                                                    : NoPull::blocked;
 }
 
-void add_known_stretch(const std::vector<ShownHandGrasp>& grasps, MotorDemand& demand) {
-  SeriesStretch stretch;
-  for (const ShownHandGrasp& grasp : grasps) stretch = greatest(stretch, grasp.stretch);
-  if (is_counted(stretch, demand.closure, demand.force_N)) demand.stretch = stretch;
+void add_stretch(const std::vector<ShownHandGrasp>& grasps, ShownWay& way) {
+  for (const ShownHandGrasp& shown : grasps) {
+    if (opened(shown.grasp) == way.open) way.stretch = greatest(way.stretch, shown.stretch);
+  }
 }
 
-// True if tendon slips back at springs in series when fingers close by a part of the stroke alone.
-bool slips_back(const MotorDemand& demand, double closing_mm) {
-  return demand.stretch && demand.stretch->sliding_mm_N * demand.force_N > closing_mm;
+// Springs in series lengthen all strokes, or none.
+void count_stretch(MotorDemand& demand) {
+  const bool counts = std::ranges::all_of(demand.ways, [&](const ShownWay& way) {
+    return is_counted(way.stretch, demand.closure, demand.force_N);
+  });
+  if (!counts) {
+    for (ShownWay& way : demand.ways) way.stretch = {};
+    return;
+  }
+  const ShownWay& longest = *std::ranges::max_element(
+      demand.ways, {}, [&](const ShownWay& way) { return way.stroke_mm(demand.force_N); });
+  demand.stretch = longest.stretch;
+  demand.strokes_mm.front() = longest.stroke_mm(demand.force_N);
 }
 
-void add_series_stretch(const MotorParts& motor, MotorDemand& demand) {
-  if (!demand.stretch || !demand.can_move()) return;
-  const double stretch_mm = demand.stretch_mm();
-  demand.stroke_mm += stretch_mm;
-  demand.strokes_mm.front() += stretch_mm;
-  demand.power_W += demand.force_N * stretch_mm / mm_in_m / motor.close_s;
-  demand.work_J += demand.stretch->work_J(demand.force_N);
+double work_J(const ShownWay& way, const MotorDemand& demand) {
+  double work_J = demand.stretch ? way.stretch.work_J(demand.force_N) : 0;
+  for (std::size_t m = 0; m < max_carriages; ++m) {
+    if (way.loaded_mm[m] > 0) work_J += demand.motors_N[m] * way.loaded_mm[m] / mm_in_m;
+  }
+  return work_J;
+}
+
+// Returns the stroke at the motor's force; nothing if not every finger closes by it.
+std::optional<double> reached_stroke_mm(const ShownHand& shown, double motor_N) {
+  const bool is_known = !shown.leaves_out_springs() && shown.demand.can_move();
+  if (!is_known || shown.force_reach->share == 0) return std::nullopt;
+  double most_mm = 0;
+  for (const ShownWay& way : shown.demand.ways) {
+    if (motor_N > way.stretch.most_N) return std::nullopt;
+    most_mm = std::max(most_mm, way.stroke_mm(motor_N));
+  }
+  return most_mm;
 }
 
 void add_motion(const MotorParts& motor, MotorDemand& demand) {
   for (std::size_t m = 0; m < max_carriages; ++m) {
     const double stroke_mm = demand.strokes_mm[m];
     demand.stroke_mm = std::max(demand.stroke_mm, stroke_mm);
-    if (std::isfinite(stroke_mm)) demand.work_J += demand.motors_N[m] * stroke_mm / mm_in_m;
+    if (std::isinf(stroke_mm)) continue;
+    demand.power_W += demand.motors_N[m] * stroke_mm / mm_in_m / motor.close_s;
   }
   if (!std::isfinite(demand.stroke_mm)) demand.stroke_mm = 0;
-  demand.power_W = demand.work_J / motor.close_s;
-  add_series_stretch(motor, demand);
   demand.speed_mm_s = demand.stroke_mm / motor.close_s;
   if (!motor.spool_radius_mm) return;
   constexpr double s_in_min = 60;
@@ -200,6 +220,7 @@ class HandStudy {
     shown.motor = hand_.motor;
     shown.motors = carriage_count(network_);
     shown.springs = !plain_.springs_mm.empty();
+    if (shares_slack(network_, plain_)) shown.slack_shared_at_mm = plain_.travel_mm;
     for (const WeightedGrasp& weighted : grasps) {
       shown.grasps.push_back(
           shown_grasp(hand_, network_.fingers, pulls_in(weighted.grasp), weighted.grasp));
@@ -211,7 +232,9 @@ class HandStudy {
         no_pull(network_, plain_, model_.hardware.tendon, shown.demand.grasp, shown.demand.weakest);
     add_forces(shown);
     add_closing(grasps, shown);
-    add_stroke_reach(grasps, shown);
+    add_stroke_reach(shown);
+    if (shown.force_reach)
+      shown.force_reach->stroke_mm = reached_stroke_mm(shown, shown.force_reach->motor_N);
     if (shown.motors > 1) shown.motors_alone = closings_of_each_motor(shown.motors);
     shown.closings = shown_closings(hand_, network_.fingers);
     return shown;
@@ -246,20 +269,18 @@ class HandStudy {
     }
   }
 
-  // Springs in series take their part of the stroke, and the fingers close by the rest.
-  void add_stroke_reach(const GraspSet& grasps, ShownHand& shown) const {
+  void add_stroke_reach(ShownHand& shown) const {
     const auto stroke = hand_.motor.stroke_mm;
     if (!stroke) return;
     const MotorDemand& demand = shown.demand;
-    const double force_N = std::min(demand.force_N, hand_.motor.force_N.value_or(demand.force_N));
-    const double stretch_mm = demand.stretch ? demand.stretch->travel_mm(force_N) : 0;
-    if (stretch_mm >= *stroke) return;
-    if (*stroke < demand.stroke_mm && slips_back(demand, *stroke - stretch_mm)) return;
-    StrokeReach reach = stroke_reach(hand_, network_, plain_, opened(grasps), *stroke - stretch_mm);
-    reach.stroke_mm += stretch_mm;
-    reach.stretch_mm = stretch_mm;
-    reach.stretch_N = force_N;
-    shown.stroke_reach = reach;
+    const double force_N =
+        demand.stretch ? std::min(demand.force_N, hand_.motor.force_N.value_or(demand.force_N)) : 0;
+    for (const ShownWay& way : demand.ways) {
+      const double closing_mm = *stroke - way.stretch.travel_mm(force_N);
+      const bool slips_back = way.stretch.sliding_mm_N * demand.force_N > closing_mm;
+      if (closing_mm <= 0 || (*stroke < demand.stroke_mm && slips_back)) return;
+    }
+    shown.stroke_reach = stroke_reach(hand_, network_, plain_, demand.ways, *stroke, force_N);
   }
 
   void add_forces(ShownHand& shown) {
@@ -276,14 +297,20 @@ class HandStudy {
     }
   }
 
-  // Adds work that reaches the fingers, J per N of motor tension. Several motors have no one force.
-  HandClosing closing_of(const Grasp& open, int motors, double& to_fingers) {
+  // Several motors have no one force that reaches the fingers.
+  ShownWay way_from(const Grasp& open, int motors) {
+    ShownWay way{open};
     Kinematics kinematics;
     Motion motion;
-    return close_hand(
+    way.closing = close_hand(
         hand_, network_, plain_, open, kinematics, motion,
         [&](Grasp at_end, double before_mm, double travel_mm, const std::vector<double>& closings) {
-          if (motors > 1 || *std::ranges::max_element(closings) == 0) return;
+          if (*std::ranges::max_element(closings) == 0) return;
+          for (int motor = 0; motor < motors; ++motor) {
+            way.loaded_mm[static_cast<std::size_t>(motor)] +=
+                std::abs(at_end.travel(motor + 1)) * travel_mm;
+          }
+          if (motors > 1) return;
           // How tendons behind slack share the carriage changes on the way: as in its middle.
           Mechanics there = plain_;
           there.travel_mm = before_mm + travel_mm / 2;
@@ -291,10 +318,11 @@ class HandStudy {
           const HandPulls pulls = pulls_in(at_end);
           for (std::size_t f = 0; f < closings.size(); ++f) {
             const HandFinger& finger = hand_.finger(static_cast<int>(f) + 1);
-            to_fingers +=
+            way.to_fingers_J_N +=
                 working_pull(finger, pulls.fingers[f + 1]) * closings[f] * travel_mm / mm_in_m;
           }
         });
+    return way;
   }
 
   std::vector<HandClosing> closings_of_each_motor(int motors) const {
@@ -312,17 +340,12 @@ class HandStudy {
   void add_closing(const GraspSet& grasps, ShownHand& shown) {
     MotorDemand& demand = shown.demand;
     demand.closure = 1;
-    double to_fingers = 0;
-    double longest_mm = 0;
     FingerArray closed;
     closed.fill(1);
     for (const Grasp& open : opened(grasps)) {
-      double reaches = 0;
-      const HandClosing closing = closing_of(open, shown.motors, reaches);
-      if (closing.stroke_mm > longest_mm) {
-        longest_mm = closing.stroke_mm;
-        to_fingers = reaches;
-      }
+      ShownWay& way = demand.ways.emplace_back(way_from(open, shown.motors));
+      add_stretch(shown.grasps, way);
+      const HandClosing& closing = way.closing;
       demand.closure = std::min(demand.closure, closing.closure);
       for (std::size_t m = 0; m < max_carriages; ++m) {
         demand.strokes_mm[m] = std::max(demand.strokes_mm[m], closing.strokes_mm[m]);
@@ -331,7 +354,7 @@ class HandStudy {
         closed[f] = std::min(closed[f], closing.closed[f]);
       }
     }
-    if (shown.springs) add_known_stretch(shown.grasps, demand);
+    if (shown.springs) count_stretch(demand);
     add_motion(hand_.motor, demand);
     for (int f = 1; f <= network_.fingers; ++f) {
       const HandFinger& finger = hand_.finger(f);
@@ -339,10 +362,19 @@ class HandStudy {
       shown.fingers.push_back({f, finger.force_N, finger.excursion_mm, share});
       demand.springs_J += spring_energy(finger, share);
     }
-    if (shown.motors > 1 || (demand.stretch && !demand.stretch->is_lossless)) return;
-    demand.friction_J = demand.work_J - demand.series_J() - demand.force_N * to_fingers;
+    add_work(shown.motors, demand);
+  }
+
+  static void add_work(int motors, MotorDemand& demand) {
+    const ShownWay& way = *std::ranges::max_element(
+        demand.ways, {}, [&](const ShownWay& each) { return work_J(each, demand); });
+    demand.work_J = work_J(way, demand);
+    if (demand.stretch) demand.series_J = way.stretch.stored_J(demand.force_N);
+    if (motors > 1 || !way.stretch.is_lossless) return;
+    const double to_fingers_J = demand.force_N * way.to_fingers_J_N;
+    demand.friction_J = demand.work_J - demand.series_J - to_fingers_J;
     if (std::abs(demand.friction_J) <= rounding_of_work * demand.work_J) demand.friction_J = 0;
-    demand.fingers_J = demand.force_N * to_fingers - demand.springs_J;
+    demand.fingers_J = to_fingers_J - demand.springs_J;
   }
 
   const Hand& hand_;
@@ -413,12 +445,17 @@ void add_grasp(const Hand& hand, int fingers, Grasp grasp, const HandPulls& pull
 }
 
 StrokeReach stroke_reach(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                         const std::vector<Grasp>& open_grasps, double limit_mm) {
+                         const std::vector<ShownWay>& ways, double limit_mm, double motor_N) {
   StrokeReach reach;
   reach.closed.assign(static_cast<std::size_t>(network.fingers), 1.0);
-  for (const Grasp& open : open_grasps) {
-    const StrokeReach one = reach_from(open, hand, network, mechanics, limit_mm);
-    reach.stroke_mm = std::max(reach.stroke_mm, one.stroke_mm);
+  reach.stretch_N = motor_N;
+  for (const ShownWay& way : ways) {
+    const double stretch_mm = way.stretch.travel_mm(motor_N);
+    const StrokeReach one = reach_from(way.open, hand, network, mechanics, limit_mm - stretch_mm);
+    if (one.stroke_mm + stretch_mm > reach.stroke_mm) {
+      reach.stroke_mm = one.stroke_mm + stretch_mm;
+      reach.stretch_mm = stretch_mm;
+    }
     for (std::size_t f = 0; f < reach.closed.size(); ++f) {
       reach.closed[f] = std::min(reach.closed[f], one.closed[f]);
     }

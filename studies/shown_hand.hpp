@@ -4,11 +4,13 @@
 //                     every grasp (core/hand.hpp), at the nominal coefficients
 //                     (with several motors, of the one that needs most: motor_force.hpp)
 //   stroke D          of the carriage from the open hand (core/hand_closing.hpp), and what springs
-//                     in series take at F, the greatest of the grasps (core/series_stretch.hpp):
-//                     D = D₀ + ΔD
+//                     in series take at F in the same grasp (core/series_stretch.hpp), the greatest
+//                     over the grasps: D = max (D₀ + ΔD)
 //   speed             D over the time to close
-//   work              Σ F D₀ over the motors, at most, if the hand closes against F all the way;
-//                     and the work of stretching springs in series while the force rises to F
+//   work              Σ F (D₀ − S) over the motors, at most, if the hand closes against F all the
+//                     way behind the travel S on which all tendons are slack; and the work of
+//                     stretching springs in series while the force rises to F; the greatest over
+//                     the grasps
 //   power             Σ F D over the time to close, at most
 //   torque            F times the spool's radius; the spool turns with speed over radius
 //   friction cost     1 − F0 / F, F0 the motor force of the same hand without any friction
@@ -54,8 +56,9 @@ struct ForceReach {
   int weakest = 0;
   Grasp grasp{};  // and the grasp in which it has
   double asks_motor_N = 0;
-  std::size_t joint = 0;  // its joint that gives first then, from 0
-  double force_N = 0;     // its fingertip force
+  std::size_t joint = 0;              // its joint that gives first then, from 0
+  double force_N = 0;                 // its fingertip force
+  std::optional<double> stroke_mm{};  // at this motor tension; nothing if no stroke is known
 };
 
 struct StrokeReach {
@@ -67,13 +70,26 @@ struct StrokeReach {
   std::vector<double> closed;  // share of each finger's range
 };
 
+// Closing from one open hand, with stiff tendons, and how springs in series stretch then: the most
+// of the grasps that differ in the fingers that they hold alone.
+struct ShownWay {
+  Grasp open{};
+  HandClosing closing{};
+  MotorArray loaded_mm{};     // travel of each motor on which some tendon is not slack
+  double to_fingers_J_N = 0;  // work that reaches the fingers, per newton of one motor
+  SeriesStretch stretch{};
+
+  double stroke_mm(double motor_N) const { return closing.stroke_mm + stretch.travel_mm(motor_N); }
+};
+
 // Adds a grasp.
 void add_grasp(const Hand& hand, int fingers, Grasp grasp, const HandPulls& pulls,
                ForceReach& reach);
 
-// The mechanics without the effects of a model, as for the whole stroke.
+// Springs in series take their part of the limit at that motor tension, and the fingers close by
+// the rest. The mechanics without the effects of a model, as for the whole stroke.
 StrokeReach stroke_reach(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                         const std::vector<Grasp>& open_grasps, double limit_mm);
+                         const std::vector<ShownWay>& ways, double limit_mm, double motor_N);
 
 struct ShownFingerForce {
   int finger = 0;
@@ -128,16 +144,19 @@ struct MotorDemand {
   double springs_J = 0;
   double friction_J = std::numeric_limits<double>::quiet_NaN();  // if it is told apart
   double fingers_J = std::numeric_limits<double>::quiet_NaN();   // likewise
-  std::optional<SeriesStretch> stretch{};  // of springs in series, if the stroke counts it
+  std::vector<ShownWay> ways{};
+  // Of springs in series on the way with the greatest stroke, if strokes count it; otherwise no way
+  // has one.
+  std::optional<SeriesStretch> stretch{};
+  double series_J = 0;  // that these springs store of the work
   std::optional<double> torque_Nm{};
   std::optional<double> spool_rpm{};
 
   // Otherwise the carriage is blocked from the open hand on: there is no stroke, nor what follows
   // from one.
   bool can_move() const { return stroke_mm > 0; }
-  // Part of the stroke that springs in series take, and of the work that they store.
+  // Part of the stroke that springs in series take.
   double stretch_mm() const { return stretch ? stretch->travel_mm(force_N) : 0; }
-  double series_J() const { return stretch ? stretch->stored_J(force_N) : 0; }
   double friction_cost() const { return force_N > 0 ? 1 - frictionless_N / force_N : 0; }
 };
 
@@ -157,6 +176,8 @@ struct ShownHand {
   int motors = 1;
   bool springs = false;  // in series with tendons
   bool leaves_out_springs() const { return springs && !demand.stretch; }
+  // Carriage travel at which trees on one carriage share the motor force, if one of them has slack.
+  std::optional<double> slack_shared_at_mm{};
   // Of several motors each by itself, from the open hand on: the other carriages stand still.
   std::vector<HandClosing> motors_alone{};
   // The motor force with its quantile over draws, where somebody asked for it; its nominal one is

@@ -152,6 +152,9 @@ bool DesignEvaluator::evaluates_hand(const EvaluationScope& scope) const {
 
 HandOutcome DesignEvaluator::hand_outcome() {
   HandOutcome outcome{0, 1, hand_->motor.close_s, {}};
+  const double force_N = motor_forces(outcome_).front();
+  SeriesStretch all;
+  double longest_mm = 0;
   for (const Grasp& open : open_grasps_) {
     if (opens_fingers(network_, mechanics_, open, kinematics_, motion_)) continue;
     const HandClosing closing =
@@ -162,22 +165,25 @@ HandOutcome DesignEvaluator::hand_outcome() {
       stroke = std::max(stroke, closing.strokes_mm[motor]);
       outcome.stroke_mm = std::max(outcome.stroke_mm, stroke);
     }
+    if (mechanics_.springs_mm.empty()) continue;
+    const SeriesStretch stretch = stretch_from(open);
+    longest_mm = std::max(longest_mm, closing.stroke_mm + stretch.travel_mm(force_N));
+    all = greatest(all, stretch);
   }
-  if (!mechanics_.springs_mm.empty()) add_series_stretch(outcome);
+  if (mechanics_.springs_mm.empty()) return outcome;
+  outcome.leaves_out_springs = !is_counted(all, outcome.closure, force_N);
+  if (!outcome.leaves_out_springs) outcome.stroke_mm = outcome.strokes_mm.front() = longest_mm;
   return outcome;
 }
 
-// The stretch is that of the grasps evaluated already, at the force of the motor.
-void DesignEvaluator::add_series_stretch(HandOutcome& hand) const {
+// The most of the grasps with that open hand, which are evaluated already.
+SeriesStretch DesignEvaluator::stretch_from(const Grasp& open) const {
   SeriesStretch stretch;
-  for (const GraspOutcome& grasp : outcome_.grasps) {
-    stretch = greatest(stretch, grasp.grip.stretch);
+  for (std::size_t g = 0; g < outcome_.grasps.size(); ++g) {
+    if (opened(grasps_[g].grasp) != open) continue;
+    stretch = greatest(stretch, outcome_.grasps[g].grip.stretch);
   }
-  const double force_N = motor_forces(outcome_).front();
-  hand.leaves_out_springs = !is_counted(stretch, hand.closure, force_N);
-  if (hand.leaves_out_springs) return;
-  hand.strokes_mm.front() += stretch.travel_mm(force_N);
-  hand.stroke_mm = hand.strokes_mm.front();
+  return stretch;
 }
 
 const DesignOutcome& DesignEvaluator::outcome(const Routing& routing,

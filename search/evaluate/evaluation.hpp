@@ -90,7 +90,7 @@ class DesignEvaluator {
   bool evaluates_hand(const EvaluationScope& scope) const;
   GripDemand grip(const TensionState& pulled, Grasp grasp);
   HandOutcome hand_outcome();
-  void add_series_stretch(HandOutcome& hand) const;
+  SeriesStretch stretch_from(const Grasp& open) const;
   ContactQuantiles contact_quantiles();
 
   std::shared_ptr<const Model> model_;  // stays in place for the solver if this moves

@@ -137,6 +137,35 @@ TEST(MotorLines, SayThatAStrokeLeavesOutTheStretchOfSprings) {
   EXPECT_FALSE(line().caveat);
 }
 
+TEST(MotorLines, SayThatForcesAndMotorsLeaveOutTheStretchOfSprings) {
+  const MotorForce force{.nominal_N = 50,
+                         .p95_N = 60,
+                         .draws = 10,
+                         .leaves_out_springs = true,
+                         .motors = {{50, 30}, {40, 20}}};
+  const std::vector<DocumentLine> lines = reports::motor_lines(force, {});
+  EXPECT_EQ(lines.front().text,
+            "Motor force: 50.0 N nominal, 60.0 N in 95 % of 10 draws, if springs in series do not "
+            "stretch");
+  EXPECT_EQ(lines.back().text,
+            "Motors, if springs in series do not stretch: M 50.0 N over 30.0 mm, M2 40.0 N over "
+            "20.0 mm");
+}
+
+// Springs lengthen the stroke: one that is too short without them is too short with them.
+TEST(MotorForceJson, DoesNotCallAStrokeEnoughThatLeavesOutSprings) {
+  MotorParts motor;
+  MotorForce force{.stroke_mm = 30, .leaves_out_springs = true};
+  const auto is_enough = [&](double stroke_mm) {
+    motor.stroke_mm = stroke_mm;
+    return reports::motor_force_json(force, motor)["stroke_is_enough"].dump();
+  };
+  EXPECT_EQ(is_enough(40), "null");
+  EXPECT_EQ(is_enough(20), "false");
+  force.leaves_out_springs = false;
+  EXPECT_EQ(is_enough(40), "true");
+}
+
 ShownHand sprung_hand(const std::string& word, double stroke_mm, double stiffness_N_mm) {
   Hardware hardware = hardware_of(stroke_mm, 2);
   hardware.tendon = {.EA_N = 20000, .own = {{.tendon = 1, .stiffness_N_mm = stiffness_N_mm}}};
@@ -170,6 +199,7 @@ TEST(HandSections, SayWhatSpringsInSeriesTakeOfStrokeAndWork) {
       << said;
   Json json;
   reports::add_hand(json, hand);
+  EXPECT_NEAR(json["motor"]["force_reach"]["stroke_mm"].get<double>(), closing_mm + 1.6, 1e-9);
   EXPECT_NEAR(json["motor"]["stretch_mm"].get<double>(), force_N / 50, 1e-9);
   EXPECT_NEAR(json["motor"]["series_springs_J"].get<double>(), force_N * force_N / 1e5, 1e-9);
   EXPECT_FALSE(motor_of("M-1-T-2-F", 40, 2).contains("stretch_mm"));
@@ -204,6 +234,24 @@ TEST(HandSections, SayThatSpringsBesideSeveralEndsHideFriction) {
   Json json;
   reports::add_hand(json, hand);
   EXPECT_TRUE(json["motor"]["friction_J"].is_null());
+}
+
+TEST(HandSections, NameTheShareOfSlackThatTheMotorForceIsOf) {
+  Hardware hardware = hardware_of(60, 2);
+  hardware.tendon = {.EA_N = 20000,
+                     .travel_mm = 50,
+                     .own = {{.tendon = 1, .stiffness_N_mm = 5}, {.tendon = 2, .slack_mm = 5}}};
+  const Network network = expand(parse_routing("1x-M+2x-M"));
+  const ShownHand hand =
+      *studies::shown_hand(network, "1x-M+2x-M", Model{hardware}, {{Grasp{}, 1}});
+  EXPECT_TRUE(testing::has(said_of(hand),
+                           " N, if springs in series do not stretch, with the shares of tendons "
+                           "with slack at a carriage travel of 50 mm: finger "))
+      << said_of(hand);
+  Json json;
+  reports::add_hand(json, hand);
+  EXPECT_EQ(json["motor"]["slack_shared_at_mm"], 50);
+  EXPECT_FALSE(motor_of("M-1-T-2-F", 40, 2).contains("slack_shared_at_mm"));
 }
 
 // The tendon without a finger is tied at both ends.

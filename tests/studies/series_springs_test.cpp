@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motor_sides.hpp"
 #include "core/notation.hpp"
 #include "search/evaluate/evaluation.hpp"
 #include "search/uncertainty/motor_force.hpp"
@@ -46,7 +47,7 @@ ShownHand shown_of(const std::string& word, const Hardware& hardware,
                    const std::string& grasps = "none") {
   const Network network = expand(parse_routing(word));
   return *studies::shown_hand(network, word, Model{hardware},
-                              parse_grasps(grasps, network.fingers));
+                              parse_grasps(grasps, network.fingers, 1, motor_ends(network)));
 }
 
 MotorDemand demand_of(const std::string& word, const Hardware& hardware,
@@ -56,7 +57,7 @@ MotorDemand demand_of(const std::string& word, const Hardware& hardware,
 
 void expect_balance(const MotorDemand& demand) {
   EXPECT_NEAR(demand.work_J,
-              demand.springs_J + demand.series_J() + demand.friction_J + demand.fingers_J, 1e-9);
+              demand.springs_J + demand.series_J + demand.friction_J + demand.fingers_J, 1e-9);
 }
 
 // E = 10, k = 4: D = 2 E + F / k. The sheath passes s of F, the tip t of that, so that the finger
@@ -70,7 +71,7 @@ TEST(SeriesSprings, OfOneTendonStretchByTheMotorForceOverTheStiffness) {
   EXPECT_NEAR(demand.force_N, F, 1e-9);
   EXPECT_NEAR(demand.stretch_mm(), F / 4, 1e-9);
   EXPECT_NEAR(demand.stroke_mm, 20 + F / 4, 1e-9);
-  EXPECT_NEAR(demand.series_J(), F * F / 8 / 1000, 1e-9);
+  EXPECT_NEAR(demand.series_J, F * F / 8 / 1000, 1e-9);
   EXPECT_NEAR(demand.friction_J, F * (20 - 10 * s * (1 + t)) / 1000, 1e-9);
   EXPECT_NEAR(demand.work_J, (F * 20 + F * F / 8) / 1000, 1e-9);
   EXPECT_NEAR(demand.power_W, F * (20 + F / 4) / 1000, 1e-9);
@@ -83,7 +84,7 @@ TEST(SeriesSprings, BehindASpoolStretchByMoreOfTheCarriagesTravel) {
   hardware.spools = {{"a", 0.5}};
   const MotorDemand demand = demand_of("M-1-F", hardware);
   EXPECT_NEAR(demand.stroke_mm, (20 + demand.force_N / 0.5 / 4) / 0.5, 1e-9);
-  EXPECT_NEAR(demand.series_J(), std::pow(demand.force_N / 0.5, 2) / 8 / 1000, 1e-9);
+  EXPECT_NEAR(demand.series_J, std::pow(demand.force_N / 0.5, 2) / 8 / 1000, 1e-9);
   expect_balance(demand);
 }
 
@@ -115,7 +116,7 @@ TEST(SeriesSprings, BesideAPulleyOfTheCarriageTakeAThirdOfTheirStretch) {
   const double T = demand.force_N / (1 + t + t * r);
   EXPECT_NEAR(demand.stretch_mm(), T / 200 / 3, 1e-9);
   EXPECT_NEAR(demand.stroke_mm, (48 + T / 200) / 3, 1e-9);
-  EXPECT_NEAR(demand.series_J(), T * T / 400 / 1000, 1e-9);
+  EXPECT_NEAR(demand.series_J, T * T / 400 / 1000, 1e-9);
   // At most F D, since the force rises with the stretch; friction then is not told apart.
   EXPECT_NEAR(demand.work_J, demand.force_N * demand.stroke_mm / 1000, 1e-9);
   EXPECT_TRUE(std::isnan(demand.friction_J));
@@ -143,6 +144,125 @@ TEST(SeriesSprings, SoSoftThatTendonSlipsBackRoundATipAreNotCounted) {
   EXPECT_NEAR(shown(0.99 * limit).demand.stroke_mm, 16, 1e-9);
 }
 
+// With all ends free 3 D = 2 (E1 + E2) + T_a / k, with a locked 2 D = 2 (E1 + E2) + T_a / k. The
+// first grasp has the greater stretch, the second the longer way: the stroke is that of one grasp.
+class SpringsOfTwoGrasps : public ::testing::Test {
+ protected:
+  static constexpr double E = 12;
+  static constexpr double k = 50;
+
+  ShownHand shown_with(std::optional<double> stroke_mm, std::optional<double> force_N) {
+    Hardware hardware = sprung_hand({E, E}, {{1, k, {}}});
+    hardware.motor.stroke_mm = stroke_mm;
+    hardware.motor.force_N = force_N;
+    return shown_of("M-1-P-2-F", hardware, "none/a");
+  }
+  // Per newton of the motor.
+  double stretch_mm_N(const std::string& grasp) const {
+    const Network network = expand(parse_routing("M-1-P-2-F"));
+    const Mechanics parts = mechanics(network, sprung_hand({E, E}, {{1, k, {}}}));
+    const Grasp held = parse_grasp(grasp, 2, 1, motor_ends(network));
+    return tensions(network, parts, held).tension[0] / k / (grasp == "a" ? 2 : 3);
+  }
+};
+
+TEST_F(SpringsOfTwoGrasps, LengthenTheWayOfTheirOwnGrasp) {
+  const MotorDemand demand = shown_with({}, {}).demand;
+  const double F = demand.force_N;
+  ASSERT_TRUE(demand.stretch);
+  ASSERT_GT(stretch_mm_N("none"), 2 * stretch_mm_N("a"));
+  ASSERT_LT(16 + F * stretch_mm_N("none"), 24 + F * stretch_mm_N("a"));
+  EXPECT_NEAR(demand.stretch_mm(), F * stretch_mm_N("a"), 1e-9);
+  EXPECT_NEAR(demand.stroke_mm, 24 + F * stretch_mm_N("a"), 1e-9);
+  EXPECT_NEAR(demand.power_W, F * demand.stroke_mm / 1000, 1e-9);
+  EXPECT_NEAR(demand.work_J, F * demand.stroke_mm / 1000, 1e-9);
+}
+
+TEST_F(SpringsOfTwoGrasps, TakeTheirPartOfAShortStrokeEachInItsOwnGrasp) {
+  const double F = shown_with({}, {}).demand.force_N;
+  const StrokeReach reach = *shown_with(20, {}).stroke_reach;
+  EXPECT_NEAR(reach.closure, (20 - F * stretch_mm_N("a")) / 24, 1e-9);
+  EXPECT_NEAR(reach.stretch_mm, F * stretch_mm_N("a"), 1e-9);
+  EXPECT_NEAR(reach.stroke_mm, 20, 1e-9);
+}
+
+TEST_F(SpringsOfTwoGrasps, LengthenTheStrokeAtTheMotorsForce) {
+  const double F = shown_with({}, {}).demand.force_N;
+  EXPECT_NEAR(*shown_with({}, F / 2).force_reach->stroke_mm, 24 + F / 2 * stretch_mm_N("a"), 1e-9);
+  // Beyond the force at which tendon slips back there is no stroke that is known.
+  EXPECT_FALSE(shown_with({}, 10 * F).force_reach->stroke_mm);
+}
+
+TEST_F(SpringsOfTwoGrasps, AreTheSameInTheObjectives) {
+  const Hardware hardware = sprung_hand({E, E}, {{1, k, {}}});
+  const Routing routing = parse_routing("M-1-P-2-F");
+  const GraspSet grasps = parse_grasps("none/a", 2, 1, motor_ends(expand(routing)));
+  const MotorDemand demand = shown_with({}, {}).demand;
+  const ObjectiveValues values = DesignEvaluator(Model{hardware}, grasps).evaluate(routing);
+  EXPECT_NEAR(value(values, Objective::stroke), demand.stroke_mm, 1e-9);
+  EXPECT_NEAR(value(values, Objective::motor_power), demand.power_W, 1e-9);
+}
+
+Hardware slack_hand(const std::vector<double>& excursions_mm,
+                    const std::vector<TendonHardware>& tendons) {
+  Hardware hardware = sprung_hand(excursions_mm, tendons);
+  hardware.tendon.travel_mm = 60;
+  return hardware;
+}
+
+// The sheath passes s of F, the tip t of that: F E s (1 + t) of F 2 E reach the finger.
+TEST(SlackOfAHand, TakesStrokeAndNoWork) {
+  const Hardware hardware = slack_hand({10}, {{1, {}, 6}});
+  const MotorDemand demand = demand_of("M-1-F", hardware, "none/1");
+  const double s = std::exp(-hardware.sheath.exponent());
+  const double t = std::exp(-hardware.tube.exponent());
+  EXPECT_NEAR(demand.stroke_mm, 6 + 20, 1e-9);
+  EXPECT_NEAR(demand.power_W, demand.force_N * 26 / 1000, 1e-9);
+  EXPECT_NEAR(demand.work_J, demand.force_N * 20 / 1000, 1e-9);
+  EXPECT_NEAR(demand.friction_J, demand.force_N * (20 - 10 * s * (1 + t)) / 1000, 1e-9);
+  EXPECT_EQ(demand_of("M-1-F", without_friction(hardware)).friction_J, 0);
+  expect_balance(demand);
+}
+
+TEST(SlackOfAHand, IsTakenInBeforeSpringsStretch) {
+  const MotorDemand demand = demand_of("M-1-F", slack_hand({10}, {{1, 4.0, 6}}));
+  const double F = demand.force_N;
+  EXPECT_NEAR(demand.stroke_mm, 6 + 20 + F / 4, 1e-9);
+  EXPECT_NEAR(demand.work_J, (F * 20 + F * F / 8) / 1000, 1e-9);
+  expect_balance(demand);
+}
+
+// Fingers 1 and 2 are closed at 6 mm and at 10 mm. While tendon 2 is slack, tendon 1 pulls.
+TEST(SlackOfAHand, OfOneTendonTakesTheWorkOfTheOthers) {
+  Hardware hardware = without_friction(slack_hand({10, 4}, {{2, {}, 6}}));
+  const MotorDemand demand = demand_of("M-1x+M-2x", hardware);
+  EXPECT_NEAR(demand.closure, 1, 1e-9);
+  EXPECT_NEAR(demand.work_J, demand.force_N * 10 / 1000, 1e-9);
+  EXPECT_EQ(demand.friction_J, 0);
+}
+
+TEST(SlackOfAHand, TakesNoWorkOfItsOwnMotor) {
+  const Hardware hardware = slack_hand({10, 10}, {{2, {}, 6}});
+  const Network network = expand(parse_routing("M-1-F+M2-2-F"));
+  const MotorDemand demand =
+      studies::shown_hand(network, "M-1-F+M2-2-F", Model{hardware}, {{Grasp{}, 1}})->demand;
+  EXPECT_NEAR(demand.strokes_mm[1], 26, 1e-9);
+  EXPECT_NEAR(demand.work_J, (demand.motors_N[0] * 20 + demand.motors_N[1] * 20) / 1000, 1e-9);
+  EXPECT_NEAR(demand.power_W, (demand.motors_N[0] * 20 + demand.motors_N[1] * 26) / 1000, 1e-9);
+}
+
+// At the end T_1 / k = T_2 / k = D − D₀, both being closed at D₀ = 10 mm: the shares of the motor
+// force, 1 and 1 − 6 / 60, are not those. With other excursions even F alone does not give them.
+TEST(SlackOfAHand, BesideSpringsOfATreeOnTheSameCarriageLeavesTheirStretchOut) {
+  const Hardware hardware = slack_hand({10, 4}, {{1, 8.0, {}}, {2, 8.0, 6}});
+  const ShownHand shown = shown_of("M-1x+M-2x", hardware);
+  EXPECT_TRUE(shown.leaves_out_springs());
+  EXPECT_EQ(shown.slack_shared_at_mm, 60);
+  EXPECT_NEAR(shown.demand.stroke_mm, 10, 1e-9);
+  EXPECT_FALSE(shown_of("M-1x+M-2x", sprung_hand({10, 10}, {{1, 8.0, {}}})).slack_shared_at_mm);
+  EXPECT_FALSE(shown_of("M-1-F", slack_hand({10}, {{1, {}, 6}})).slack_shared_at_mm);
+}
+
 // The tail's tendon: D − s = z. The other: D + 2 z = 2 (E1 + E2). Together 3 D − 2 s.
 TEST(SeriesSprings, OfATailCountTwiceInATreeOfTwoMotorSides) {
   const Hardware hardware = without_friction(sprung_hand({12, 12}, {{1, 50.0, {}}}));
@@ -150,7 +270,7 @@ TEST(SeriesSprings, OfATailCountTwiceInATreeOfTwoMotorSides) {
   const double T = 2 * demand.force_N / 3;
   EXPECT_NEAR(demand.stretch_mm(), 2 * T / 50 / 3, 1e-9);
   EXPECT_NEAR(demand.stroke_mm, (48 + 2 * T / 50) / 3, 1e-9);
-  EXPECT_NEAR(demand.series_J(), T * T / 100 / 1000, 1e-9);
+  EXPECT_NEAR(demand.series_J, T * T / 100 / 1000, 1e-9);
   expect_balance(demand);
 }
 
@@ -352,8 +472,8 @@ void expect_equilibrium(const Network& network, const Hardware& hardware, const 
   EXPECT_NEAR(demand.stretch_mm(), open->D, scale);
   EXPECT_NEAR(demand.stroke_mm, closed->D, scale);
   EXPECT_NEAR(demand.work_J, (F * open->D / 2 + F * (closed->D - open->D)) / 1000, scale);
-  EXPECT_NEAR(demand.series_J(),
-              closed->T.cwiseAbs2().cwiseProduct(equations.give).sum() / 2 / 1000, scale);
+  EXPECT_NEAR(demand.series_J, closed->T.cwiseAbs2().cwiseProduct(equations.give).sum() / 2 / 1000,
+              scale);
   EXPECT_NEAR(demand.springs_J + demand.fingers_J, closed->T.dot(equations.C * E) / 1000, scale);
   EXPECT_NEAR(demand.friction_J, 0, scale);
 }
