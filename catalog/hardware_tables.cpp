@@ -167,25 +167,34 @@ int tendon_number(const TomlNode& node) {
   }
   node.fail_at_key({.what = "unknown key",
                     .value = node.name,
-                    .expected = fmt::format("EA_N, travel_mm or tendon.1 to tendon.{}", most)});
+                    .expected = fmt::format("EA_N, travel_mm, or a table [tendon.1] to "
+                                            "[tendon.{}] with stiffness_N_mm or slack_mm",
+                                            most)});
+}
+
+// The hardware says what range the number has.
+void read_checked(const TomlNode& table, std::string_view key, std::optional<double>& number,
+                  const Hardware& hardware) {
+  const TomlNode* node = table.find(key);
+  if (node == nullptr) return;
+  if (!node->is_number()) node->fail_expected("a number");
+  number = node->number;
+  validate_at(*node, hardware);
 }
 
 void read_tendons(const TomlNode& file, Hardware& hardware) {
   const TomlNode* node = file.find("tendon");
   if (node == nullptr) return;
   TendonParts& parts = hardware.tendon;
-  read_if_given(node->table(), "EA_N", parts.EA_N);
-  read_if_given(*node, "travel_mm", parts.travel_mm);
-  validate_at(*node, hardware);
+  read_checked(node->table(), "EA_N", parts.EA_N, hardware);
+  read_checked(*node, "travel_mm", parts.travel_mm, hardware);
   for (const TomlNode& own : node->children) {
     if (own.key == "EA_N" || own.key == "travel_mm") continue;
-    TendonHardware tendon;
+    TendonHardware& tendon = parts.own.emplace_back();
     tendon.tendon = tendon_number(own);
     own.table().allow_only({"stiffness_N_mm", "slack_mm"});
-    read_if_given(own, "stiffness_N_mm", tendon.stiffness_N_mm);
-    read_if_given(own, "slack_mm", tendon.slack_mm);
-    parts.own.push_back(tendon);
-    validate_at(own, hardware);
+    read_checked(own, "stiffness_N_mm", tendon.stiffness_N_mm, hardware);
+    read_checked(own, "slack_mm", tendon.slack_mm, hardware);
   }
 }
 

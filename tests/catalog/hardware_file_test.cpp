@@ -184,17 +184,33 @@ TEST(HardwareFile, NamesThePlaceOfABadNumber) {
       {"[spools]\nT1 = 0.5\n",
        "h.toml:2:1: hardware: spools 'T1': expected a motor-side segment such as a"},
       {"[tendon]\nEA_N = 0\n",
-       "h.toml:1:2: hardware: tendon.EA_N = 0: expected a number from 1 to 1000000000 N"},
+       "h.toml:2:1: hardware: tendon.EA_N = 0: expected a number from 1 to 1000000000 N"},
       {"[tendon]\nEI = 3\n",
-       "h.toml:2:1: unknown key 'tendon.EI': expected EA_N, travel_mm or tendon.1 to tendon.128"},
+       "h.toml:2:1: unknown key 'tendon.EI': expected EA_N, travel_mm, or a table [tendon.1] to "
+       "[tendon.128] with stiffness_N_mm or slack_mm"},
+      {"[tendon]\nstiffness_N_mm = 4\n",
+       "h.toml:2:1: unknown key 'tendon.stiffness_N_mm': expected EA_N, travel_mm, or a table "
+       "[tendon.1] to [tendon.128] with stiffness_N_mm or slack_mm"},
+      {"[tendon]\nEA_N = nan\n",
+       "h.toml:2:1: hardware: tendon.EA_N = nan: expected a number from 1 to 1000000000 N"},
       {"[tendon]\nEA_N = 2000\n[tendon.2]\nstiffness_N_mm = 0\n",
-       "h.toml:3:9: hardware: tendon.2.stiffness_N_mm = 0: expected a number from 0.001 to 1000000 "
+       "h.toml:4:1: hardware: tendon.2.stiffness_N_mm = 0: expected a number from 0.001 to 1000000 "
        "N/mm"},
+      {"[tendon]\nEA_N = 2000\n[tendon.2]\nstiffness_N_mm = -3\n",
+       "h.toml:4:1: hardware: tendon.2.stiffness_N_mm = -3: expected a number from 0.001 to 1000000 "
+       "N/mm"},
+      {"[tendon]\nEA_N = 2000\n[tendon.2]\nstiffness_N_mm = nan\n",
+       "h.toml:4:1: hardware: tendon.2.stiffness_N_mm = nan: expected a number from 0.001 to 1000000 "
+       "N/mm"},
+      {"[tendon]\nEA_N = 2000\n[tendon.2]\nstiffness_N_mm = '4'\n",
+       "h.toml:4:18: tendon.2.stiffness_N_mm = '4': expected a number"},
+      {"[tendon]\ntravel_mm = 30\n[tendon.2]\nslack_mm = -1\n",
+       "h.toml:4:1: hardware: tendon.2.slack_mm = -1: expected a number from 0 to 1000000 mm"},
       {"[tendon.2]\nstiffness_N_mm = 5\n",
-       "h.toml:1:9: hardware: tendon.2.stiffness_N_mm = 5: expected EA_N in [tendon]: the spring "
+       "h.toml:2:1: hardware: tendon.2.stiffness_N_mm = 5: expected EA_N in [tendon]: the spring "
        "gives way beside the tendon's own EA/L"},
       {"[tendon.2]\nslack_mm = 5\n",
-       "h.toml:1:9: hardware: tendon.2.slack_mm = 5: expected travel_mm in [tendon]: the carriage "
+       "h.toml:2:1: hardware: tendon.2.slack_mm = 5: expected travel_mm in [tendon]: the carriage "
        "travel that slack is a part of"},
       {"[uncertainty]\ntube_mu = [0.2, 0.1]\n",
        "h.toml:2:11: uncertainty.tube_mu = [0.2, 0.1]: expected two friction coefficients, the "

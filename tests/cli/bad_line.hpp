@@ -46,6 +46,7 @@ inline void fill(const TemporaryFolder& folder) {
   folder.write("syntax.toml", "[tube\n");
   folder.write("contact.toml", "[contact.\"a-T9\"]\nmu = 0.2\n");
   folder.write("spool.toml", "[spools]\nb = 0.5\n");
+  folder.write("tendon.toml", "[tendon]\nEA_N = 2e4\n[tendon.7]\nstiffness_N_mm = 5\n");
   folder.write("slack.toml", "[tendon]\ntravel_mm = 30\n[tendon.1]\nslack_mm = 5\n");
   folder.write("twice.toml", "[contact.\"T1-T2\"]\nmu = 0.1\n[contact.\"T2-T1\"]\nmu = 0.2\n");
   folder.write("strong.toml", "[contact.\"T2-T1\"]\nmu = 6\n");

@@ -40,6 +40,10 @@ TEST(BadHardware, IsNamedWithFileLineAndColumn) {
       {"export TR2 --hardware slack.toml",
        "slack.toml:4:1: hardware: tendon.1.slack_mm = 5: expected none in an export to MuJoCo, "
        "whose tendons are always taut"},
+      {"show TR1 --hardware tendon.toml",
+       "tendon.toml:3:9: hardware: tendon '7': expected a number from 1 to 1, as many tendons as "
+       "M-1-T-2-F has"},
+      {"rank TR1 M-1x+M-2x --hardware tendon.toml", "a number from 1 to 1, as many tendons as"},
       {"explore --out out --hardware negative.toml", "negative.toml:2:6: tube.mu = -0.1"},
       {"rank TR1 --hardware nan.toml", "nan.toml:2:6: tube.mu = nan"},
   });
