@@ -271,17 +271,14 @@ void require_hardware_to_fit(const Hardware& hardware, const std::vector<Routing
     const Network network = expand(routing);
     const std::vector<std::string> unmatched = builder.unmatched_tendons(network);
     if (unmatched.empty()) continue;
-    const std::size_t tendons = network.tendons.size();
-    const bool is_beyond = std::stoul(unmatched.front()) > tendons;
     throw InputError(
         {.where = hardware_place(hardware, "tendon." + unmatched.front()),
          .what = "tendon",
          .value = unmatched.front(),
-         .expected = is_beyond ? fmt::format("a number from 1 to {}, as many tendons as {} has",
-                                             tendons, to_word(routing))
-                               : fmt::format("a tendon of {}: with a spring one with one end at an "
-                                             "M, with slack one on a motor and on no block",
-                                             to_word(routing))});
+         .expected = fmt::format("one of tendons 1 to {} of {}: with a spring one with "
+                                 "one end at an M, with slack one on a motor and on "
+                                 "no block",
+                                 network.tendons.size(), to_word(routing))});
   }
 }
 

@@ -1,10 +1,9 @@
 #include "core/series_stretch.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <set>
 
+#include "core/hand_pulls.hpp"
 #include "core/motor_sides.hpp"
 #include "core/tension/tension.hpp"
 #include "core/tension/tree_kinematics.hpp"
@@ -115,18 +114,9 @@ double SeriesStretch::work_J(double motor_N) const {
 
 bool shares_slack(const Network& network, const Mechanics& mechanics) {
   if (mechanics.slack_mm.empty()) return false;
-  std::array<std::set<std::size_t>, max_carriages> trees;
-  std::array<bool, max_carriages> slack{};
-  for (const TendonSpan& tendon : network.tendons) {
-    for (std::size_t i = tendon.first_segment; i < tendon.first_segment + tendon.segments; ++i) {
-      if (network.segments[i].kind != SegmentKind::motor_side) continue;
-      const auto carriage = static_cast<std::size_t>(network.segments[i].carriage) - 1;
-      trees[carriage].insert(tendon.tree);
-      slack[carriage] |= mechanics.slack_mm[i] > 0;
-      if (slack[carriage] && trees[carriage].size() > 1) return true;
-    }
-  }
-  return false;
+  std::size_t trees = 0;
+  for (std::size_t t = 0; t < network.tendons.size(); ++t) trees += network.tendons[t].tree == t;
+  return trees > motor_groups(network).count;
 }
 
 SeriesStretch greatest(const SeriesStretch& one, const SeriesStretch& other) {

@@ -77,7 +77,7 @@ struct SeriesStretch {
 SeriesStretch series_stretch(const Network& network, const Mechanics& mechanics, const Grasp& grasp,
                              const TensionState& state);
 
-// True if trees on one carriage share its force, and one of them has slack.
+// True if trees share a motor's force and slack is given.
 bool shares_slack(const Network& network, const Mechanics& mechanics);
 
 // The stretch that is enough for two grasps with the same open hand.

@@ -108,12 +108,6 @@ NoPull no_pull(const Network& network, const Mechanics& mechanics, const TendonP
                                                                    : NoPull::blocked;
 }
 
-void add_stretch(const std::vector<ShownHandGrasp>& grasps, ShownWay& way) {
-  for (const ShownHandGrasp& shown : grasps) {
-    if (opened(shown.grasp) == way.open) way.stretch = greatest(way.stretch, shown.stretch);
-  }
-}
-
 // Springs in series lengthen all strokes, or none.
 void count_stretch(MotorDemand& demand) {
   const bool counts = std::ranges::all_of(demand.ways, [&](const ShownWay& way) {
@@ -185,6 +179,49 @@ std::vector<ShownClosing> shown_closings(const Hand& hand, int fingers) {
     }
   }
   return closings;
+}
+
+// Travel of the fastest carriage over D, in or out.
+double fastest(const CarriageTravels& carriages) {
+  double most = carriages.given == 0 ? 1 : 0;
+  for (std::size_t motor = 0; motor < carriages.given; ++motor) {
+    most = std::max(most, std::abs(carriages.over_D[motor]));
+  }
+  return most;
+}
+
+// The motors stop when one of a group has used its stroke up.
+StrokeReach reach_from(const Grasp& open, const Hand& hand, const Network& network,
+                       const Mechanics& mechanics, double limit_mm) {
+  StrokeReach reach;
+  reach.closed.assign(static_cast<std::size_t>(network.fingers), 0.0);
+  Kinematics kinematics;
+  Motion motion;
+  double used_mm = 0;
+  close_hand(
+      hand, network, mechanics, open, kinematics, motion,
+      [&](Grasp grasp, double before_mm, double travel_mm, const std::vector<double>& closings) {
+        if (before_mm == 0) used_mm = 0;
+        const double most = fastest(grasp.carriages);
+        const double way = std::min(travel_mm, limit_mm / most - used_mm);
+        for (std::size_t f = 0; f < closings.size() && f < reach.closed.size(); ++f) {
+          const double excursion = hand.finger(static_cast<int>(f) + 1).excursion_mm;
+          reach.closed[f] = std::min(1.0, reach.closed[f] + way * closings[f] / excursion);
+        }
+        used_mm += way;
+        reach.stroke_mm = std::max(reach.stroke_mm, most * used_mm);
+      });
+  return reach;
+}
+
+void find_last(StrokeReach& reach) {
+  // Sums of stretches miss the end, and each other, by a rounding error.
+  constexpr double rounding = 1e-9;
+  const double least = *std::ranges::min_element(reach.closed);
+  for (std::size_t f = 0; f < reach.closed.size(); ++f) {
+    if (reach.closed[f] <= least + rounding) reach.last.push_back(static_cast<int>(f) + 1);
+  }
+  reach.closure = least > 1 - rounding ? 1 : least;
 }
 
 // One routing of one hand, solved grasp by grasp.
@@ -269,18 +306,31 @@ class HandStudy {
     }
   }
 
+  // Springs in series take their part of the stroke, and the fingers close by the rest.
   void add_stroke_reach(ShownHand& shown) const {
     const auto stroke = hand_.motor.stroke_mm;
     if (!stroke) return;
     const MotorDemand& demand = shown.demand;
-    const double force_N =
-        demand.stretch ? std::min(demand.force_N, hand_.motor.force_N.value_or(demand.force_N)) : 0;
+    StrokeReach reach;
+    reach.closed.assign(static_cast<std::size_t>(network_.fingers), 1.0);
+    if (demand.stretch)
+      reach.stretch_N = std::min(demand.force_N, hand_.motor.force_N.value_or(demand.force_N));
     for (const ShownWay& way : demand.ways) {
-      const double closing_mm = *stroke - way.stretch.travel_mm(force_N);
-      const bool slips_back = way.stretch.sliding_mm_N * demand.force_N > closing_mm;
-      if (closing_mm <= 0 || (*stroke < demand.stroke_mm && slips_back)) return;
+      const double stretch_mm = way.stretch.travel_mm(reach.stretch_N);
+      const double left_mm = *stroke - stretch_mm;
+      const bool slips_back = way.stretch.sliding_mm_N * demand.force_N > left_mm;
+      if (left_mm <= 0 || (*stroke < demand.stroke_mm && slips_back)) return;
+      const StrokeReach one = reach_from(way.open, hand_, network_, plain_, left_mm);
+      if (one.stroke_mm + stretch_mm > reach.stroke_mm) {
+        reach.stroke_mm = one.stroke_mm + stretch_mm;
+        reach.stretch_mm = stretch_mm;
+      }
+      for (std::size_t f = 0; f < reach.closed.size(); ++f) {
+        reach.closed[f] = std::min(reach.closed[f], one.closed[f]);
+      }
     }
-    shown.stroke_reach = stroke_reach(hand_, network_, plain_, demand.ways, *stroke, force_N);
+    find_last(reach);
+    shown.stroke_reach = reach;
   }
 
   void add_forces(ShownHand& shown) {
@@ -298,19 +348,22 @@ class HandStudy {
   }
 
   // Several motors have no one force that reaches the fingers.
-  ShownWay way_from(const Grasp& open, int motors) {
+  ShownWay way_from(const Grasp& open, const ShownHand& shown) {
     ShownWay way{open};
+    for (const ShownHandGrasp& each : shown.grasps) {
+      if (opened(each.grasp) == open) way.stretch = greatest(way.stretch, each.stretch);
+    }
     Kinematics kinematics;
     Motion motion;
     way.closing = close_hand(
         hand_, network_, plain_, open, kinematics, motion,
         [&](Grasp at_end, double before_mm, double travel_mm, const std::vector<double>& closings) {
           if (*std::ranges::max_element(closings) == 0) return;
-          for (int motor = 0; motor < motors; ++motor) {
+          for (int motor = 0; motor < shown.motors; ++motor) {
             way.loaded_mm[static_cast<std::size_t>(motor)] +=
                 std::abs(at_end.travel(motor + 1)) * travel_mm;
           }
-          if (motors > 1) return;
+          if (shown.motors > 1) return;
           // How tendons behind slack share the carriage changes on the way: as in its middle.
           Mechanics there = plain_;
           there.travel_mm = before_mm + travel_mm / 2;
@@ -343,9 +396,7 @@ class HandStudy {
     FingerArray closed;
     closed.fill(1);
     for (const Grasp& open : opened(grasps)) {
-      ShownWay& way = demand.ways.emplace_back(way_from(open, shown.motors));
-      add_stretch(shown.grasps, way);
-      const HandClosing& closing = way.closing;
+      const HandClosing& closing = demand.ways.emplace_back(way_from(open, shown)).closing;
       demand.closure = std::min(demand.closure, closing.closure);
       for (std::size_t m = 0; m < max_carriages; ++m) {
         demand.strokes_mm[m] = std::max(demand.strokes_mm[m], closing.strokes_mm[m]);
@@ -387,39 +438,6 @@ class HandStudy {
   ModelSolver solver_;
 };
 
-// Travel of the fastest carriage over D, in or out.
-double fastest(const CarriageTravels& carriages) {
-  double most = carriages.given == 0 ? 1 : 0;
-  for (std::size_t motor = 0; motor < carriages.given; ++motor) {
-    most = std::max(most, std::abs(carriages.over_D[motor]));
-  }
-  return most;
-}
-
-// The motors stop when one of a group has used its stroke up.
-StrokeReach reach_from(const Grasp& open, const Hand& hand, const Network& network,
-                       const Mechanics& mechanics, double limit_mm) {
-  StrokeReach reach;
-  reach.closed.assign(static_cast<std::size_t>(network.fingers), 0.0);
-  Kinematics kinematics;
-  Motion motion;
-  double used_mm = 0;
-  close_hand(
-      hand, network, mechanics, open, kinematics, motion,
-      [&](Grasp grasp, double before_mm, double travel_mm, const std::vector<double>& closings) {
-        if (before_mm == 0) used_mm = 0;
-        const double most = fastest(grasp.carriages);
-        const double way = std::min(travel_mm, limit_mm / most - used_mm);
-        for (std::size_t f = 0; f < closings.size() && f < reach.closed.size(); ++f) {
-          const double excursion = hand.finger(static_cast<int>(f) + 1).excursion_mm;
-          reach.closed[f] = std::min(1.0, reach.closed[f] + way * closings[f] / excursion);
-        }
-        used_mm += way;
-        reach.stroke_mm = std::max(reach.stroke_mm, most * used_mm);
-      });
-  return reach;
-}
-
 }  // namespace
 
 void add_grasp(const Hand& hand, int fingers, Grasp grasp, const HandPulls& pulls,
@@ -442,32 +460,6 @@ void add_grasp(const Hand& hand, int fingers, Grasp grasp, const HandPulls& pull
     reach.joint = held.joint;
     reach.force_N = held.force_N;
   }
-}
-
-StrokeReach stroke_reach(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                         const std::vector<ShownWay>& ways, double limit_mm, double motor_N) {
-  StrokeReach reach;
-  reach.closed.assign(static_cast<std::size_t>(network.fingers), 1.0);
-  reach.stretch_N = motor_N;
-  for (const ShownWay& way : ways) {
-    const double stretch_mm = way.stretch.travel_mm(motor_N);
-    const StrokeReach one = reach_from(way.open, hand, network, mechanics, limit_mm - stretch_mm);
-    if (one.stroke_mm + stretch_mm > reach.stroke_mm) {
-      reach.stroke_mm = one.stroke_mm + stretch_mm;
-      reach.stretch_mm = stretch_mm;
-    }
-    for (std::size_t f = 0; f < reach.closed.size(); ++f) {
-      reach.closed[f] = std::min(reach.closed[f], one.closed[f]);
-    }
-  }
-  // Sums of stretches miss the end, and each other, by a rounding error.
-  constexpr double rounding = 1e-9;
-  const double least = *std::ranges::min_element(reach.closed);
-  for (std::size_t f = 0; f < reach.closed.size(); ++f) {
-    if (reach.closed[f] <= least + rounding) reach.last.push_back(static_cast<int>(f) + 1);
-  }
-  reach.closure = least > 1 - rounding ? 1 : least;
-  return reach;
 }
 
 std::optional<ShownHand> shown_hand(const Network& network, const std::string& word,

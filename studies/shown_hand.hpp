@@ -86,11 +86,6 @@ struct ShownWay {
 void add_grasp(const Hand& hand, int fingers, Grasp grasp, const HandPulls& pulls,
                ForceReach& reach);
 
-// Springs in series take their part of the limit at that motor tension, and the fingers close by
-// the rest. The mechanics without the effects of a model, as for the whole stroke.
-StrokeReach stroke_reach(const Hand& hand, const Network& network, const Mechanics& mechanics,
-                         const std::vector<ShownWay>& ways, double limit_mm, double motor_N);
-
 struct ShownFingerForce {
   int finger = 0;
   FingerPull pull_per_motor{};         // pull of its strands at the palm, N/N

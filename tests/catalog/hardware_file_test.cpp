@@ -203,7 +203,7 @@ TEST(HardwareFile, NamesThePlaceOfABadNumber) {
        "h.toml:4:1: hardware: tendon.2.stiffness_N_mm = nan: expected a number from 0.001 to 1000000 "
        "N/mm"},
       {"[tendon]\nEA_N = 2000\n[tendon.2]\nstiffness_N_mm = '4'\n",
-       "h.toml:4:18: tendon.2.stiffness_N_mm = '4': expected a number"},
+       "h.toml:4:18: tendon.2.stiffness_N_mm = \"4\": expected a number"},
       {"[tendon]\ntravel_mm = 30\n[tendon.2]\nslack_mm = -1\n",
        "h.toml:4:1: hardware: tendon.2.slack_mm = -1: expected a number from 0 to 1000000 mm"},
       {"[tendon.2]\nstiffness_N_mm = 5\n",
