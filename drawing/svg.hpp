@@ -18,6 +18,14 @@ std::string number(double value);
 // " name="value""; the value is escaped, or has nothing to escape.
 std::string attribute(const char* name, const std::string& value);
 
+// What `draw` makes of the items, one after the other.
+template <typename Items, typename Draw>
+std::string each(const Items& items, Draw draw) {
+  std::string all;
+  for (const auto& item : items) all += draw(item);
+  return all;
+}
+
 std::string line(Point from, Point to);
 std::string circle(Point centre, double radius, const std::string& attributes = "");
 std::string rectangle(const Box& box, double rounding, const std::string& attributes = "");

@@ -142,11 +142,8 @@ Legend legend(const Box& room, bool with_tension, const DrawnParts& parts) {
 }
 
 std::string symbols::legend(const Legend& legend) {
-  std::string items;
-  std::string texts;
-  for (const LegendItem& item : legend.items) items += legend_symbol(item);
-  for (const DrawnText& text : legend.texts) texts += svg::text(text);
-  return svg::group(strokes, items) + texts;
+  return svg::group(strokes, svg::each(legend.items, legend_symbol)) +
+         svg::each(legend.texts, svg::text);
 }
 
 }  // namespace reeve::drawing

@@ -200,8 +200,7 @@ class RowPlacement {
       arc.right = column_at_[arc.right_port];
       found.push_back(arc);
     }
-    std::ranges::stable_sort(
-        found, [](const Arc& a, const Arc& b) { return a.right - a.left < b.right - b.left; });
+    std::ranges::stable_sort(found, {}, [](const Arc& arc) { return arc.right - arc.left; });
     for (std::size_t i = 0; i < found.size(); ++i) {
       for (std::size_t above = 0; above < i; ++above) {
         const bool apart = found[above].right < found[i].left || found[i].right < found[above].left;

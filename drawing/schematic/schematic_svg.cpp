@@ -78,20 +78,6 @@ std::string turns(const SchematicLayout& layout) {
   return content;
 }
 
-// Behind the sheaves.
-std::string shells(const SchematicLayout& layout) {
-  std::string content;
-  for (const DrawnBlock& block : layout.blocks) content += symbols::shell(block);
-  return content;
-}
-
-// Over the tendons that are tied there.
-std::string eyes(const SchematicLayout& layout) {
-  std::string content;
-  for (const DrawnBlock& block : layout.blocks) content += symbols::eyes(block);
-  return content;
-}
-
 std::string sheaths(const SchematicLayout& layout) {
   std::string content;
   for (const DrawnContact& contact : layout.contacts) {
@@ -191,14 +177,6 @@ std::string carriage(const Schematic& schematic, const DrawnCarriage& carriage) 
          svg::text(text);
 }
 
-std::string carriages(const Schematic& schematic) {
-  std::string content;
-  for (const DrawnCarriage& drawn : schematic.layout.carriages) {
-    content += carriage(schematic, drawn);
-  }
-  return content;
-}
-
 std::string tendons(const Schematic& schematic) {
   const double full = full_tension(schematic);
   std::string lines;
@@ -213,14 +191,16 @@ std::string tendons(const Schematic& schematic) {
 
 std::string draw(const Schematic& schematic) {
   const SchematicLayout& layout = schematic.layout;
-  std::string texts;
-  for (const DrawnText& text : layout.texts) texts += svg::text(text);
+  const auto draw_carriage = [&](const DrawnCarriage& drawn) { return carriage(schematic, drawn); };
+  // Shells are behind the sheaves, eyes over the tendons that are tied there.
+  const std::string shells = svg::each(layout.blocks, symbols::shell);
+  const std::string eyes = svg::each(layout.blocks, symbols::eyes);
   return svg::group(symbols::strokes, symbols::hand(layout) + held_fingers(layout)) +
-         carriages(schematic) + svg::group(symbols::strokes, shells(layout) + turns(layout)) +
-         tendons(schematic) +
-         svg::group(symbols::strokes, sheaths(layout) + eyes(layout) + ends(layout) +
-                                          arrows(schematic) + motions(schematic)) +
-         texts + symbols::legend(layout.legend);
+         svg::each(layout.carriages, draw_carriage) +
+         svg::group(symbols::strokes, shells + turns(layout)) + tendons(schematic) +
+         svg::group(symbols::strokes, sheaths(layout) + eyes + ends(layout) + arrows(schematic) +
+                                          motions(schematic)) +
+         svg::each(layout.texts, svg::text) + symbols::legend(layout.legend);
 }
 
 std::string description(const Schematic& schematic) {

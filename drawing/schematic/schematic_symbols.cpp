@@ -149,15 +149,14 @@ std::string shell(const DrawnBlock& block) {
 }
 
 std::string eyes(const DrawnBlock& block) {
-  std::string content;
-  for (const Point& eye : block.eyes) {
-    content += circle(eye, block.is_bar ? 3 : eye_radius, paper);
-  }
-  for (const Point& tail : block.tails) {
-    content += block.is_bar ? circle(tail, 4.5, paper) + circle(tail, 1.5, solid)
-                            : circle(tail, eye_radius, paper);
-  }
-  return content;
+  const auto eye = [&](const Point& at) {
+    return circle(at, block.is_bar ? 3 : eye_radius, paper);
+  };
+  const auto tail = [&](const Point& at) {
+    return block.is_bar ? circle(at, 4.5, paper) + circle(at, 1.5, solid)
+                        : circle(at, eye_radius, paper);
+  };
+  return each(block.eyes, eye) + each(block.tails, tail);
 }
 
 std::string object(const Box& box) {
