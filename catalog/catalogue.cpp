@@ -25,10 +25,11 @@ bool may_be_known(const Catalogue& catalogue, const Routing& routing) {
   const auto is_of_its_size = [&](const Routing& known) {
     return known.tendons.size() == routing.tendons.size() && token_count(known) == tokens;
   };
-  return std::any_of(catalogue.entries.begin(), catalogue.entries.end(),
-                     [&](const auto& entry) { return is_of_its_size(entry.routing); }) ||
-         std::any_of(catalogue.mechanisms.begin(), catalogue.mechanisms.end(),
-                     [&](const auto& mechanism) { return is_of_its_size(mechanism.canonical); });
+  return std::ranges::any_of(catalogue.entries,
+                             [&](const auto& entry) { return is_of_its_size(entry.routing); }) ||
+         std::ranges::any_of(catalogue.mechanisms, [&](const auto& mechanism) {
+           return is_of_its_size(mechanism.canonical);
+         });
 }
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -94,8 +95,8 @@ bool has_counterpart(const CatalogueEntry& entry, const CatalogueEntry& other) {
   if (entry.table) {
     return other.table && other.table->tension.size() == entry.table->tension.size();
   }
-  return std::any_of(entry.lines.begin(), entry.lines.end(), [&](const PublishedLines& own) {
-    return std::any_of(other.lines.begin(), other.lines.end(), [&](const PublishedLines& theirs) {
+  return std::ranges::any_of(entry.lines, [&](const PublishedLines& own) {
+    return std::ranges::any_of(other.lines, [&](const PublishedLines& theirs) {
       return theirs.source == own.source && theirs.share_percent.size() == own.share_percent.size();
     });
   });
@@ -140,6 +141,12 @@ void read_families(const CatalogueFiles& files, Catalogue& catalogue) {
                    });
 }
 
+template <typename Item, typename IsMeant>
+const Item* first_of(const std::vector<Item>& items, IsMeant is_meant) {
+  const auto found = std::ranges::find_if(items, is_meant);
+  return found == items.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 std::string name_of(const Catalogue& catalogue, const Routing& routing) {
@@ -153,24 +160,18 @@ std::string name_of(const Catalogue& catalogue, const Routing& routing) {
 }
 
 const CatalogueEntry* Catalogue::find_name(std::string_view name) const {
-  const auto found = std::find_if(entries.begin(), entries.end(), [&](const CatalogueEntry& entry) {
-    return same_name(entry.name, trimmed(name));
-  });
-  return found == entries.end() ? nullptr : &*found;
+  return first_of(
+      entries, [&](const CatalogueEntry& entry) { return same_name(entry.name, trimmed(name)); });
 }
 
 const CatalogueEntry* Catalogue::find_word(const Routing& routing) const {
-  const auto found = std::find_if(entries.begin(), entries.end(), [&](const CatalogueEntry& entry) {
-    return entry.routing == routing;
-  });
-  return found == entries.end() ? nullptr : &*found;
+  return first_of(entries, [&](const CatalogueEntry& entry) { return entry.routing == routing; });
 }
 
 const Mechanism* Catalogue::find_mechanism(std::string_view name) const {
-  const auto found = std::find_if(
-      mechanisms.begin(), mechanisms.end(),
-      [&](const Mechanism& mechanism) { return same_name(mechanism.name, trimmed(name)); });
-  return found == mechanisms.end() ? nullptr : &*found;
+  return first_of(mechanisms, [&](const Mechanism& mechanism) {
+    return same_name(mechanism.name, trimmed(name));
+  });
 }
 
 const Routing* Catalogue::find_routing(std::string_view name) const {
@@ -185,8 +186,7 @@ std::vector<Routing> Catalogue::sizes_of(std::string_view name) const {
   if (entry == nullptr && mechanism == nullptr) return {};
   std::vector<Routing> sizes = entry != nullptr ? entry->like : mechanism->like;
   sizes.push_back(*find_routing(name));
-  std::sort(sizes.begin(), sizes.end(),
-            [](const Routing& a, const Routing& b) { return finger_count(a) < finger_count(b); });
+  std::ranges::sort(sizes, {}, [](const Routing& size) { return finger_count(size); });
   return sizes;
 }
 

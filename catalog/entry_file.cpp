@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <set>
-#include <utility>
 
 #include "core/canonical.hpp"
 #include "core/error.hpp"
@@ -134,7 +133,7 @@ ReversedContactFault read_reversed_contact(const TomlNode& node, const Catalogue
   fault.strand = node.require("strand", "the strand at the sheath").integer(1, strands);
   const TomlNode& segment = node.require("segment", "the motor-side segment at the sheath");
   const std::vector<std::string> names = motor_side_names(entry.routing);
-  const auto found = std::find(names.begin(), names.end(), segment.text());
+  const auto found = std::ranges::find(names, segment.text());
   if (found == names.end()) {
     segment.fail_expected(fmt::format("a motor-side segment, a to {}", names.back()));
   }
@@ -199,7 +198,7 @@ void read_published(const TomlNode& file, CatalogueEntry& entry) {
 
 std::string read_name(const TomlNode& node) {
   const std::string& name = node.text();
-  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+  const bool plain = std::ranges::all_of(name, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '-' || c == '.';
   });

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace reeve::catalog {
 namespace {
@@ -83,9 +82,8 @@ std::optional<std::string> explain(const RepeatsFault& fault, const DifferingNum
   const std::optional<PrintedList> theirs = counterpart(*other, number.list);
   if (!theirs) return std::nullopt;
   const auto& own = number.list.numbers;
-  const bool same = std::equal(
-      own.begin(), own.end(), theirs->numbers.begin(), theirs->numbers.end(),
-      [](const PrintedNumber& a, const PrintedNumber& b) { return a.digits == b.digits; });
+  const bool same =
+      std::ranges::equal(own, theirs->numbers, {}, &PrintedNumber::digits, &PrintedNumber::digits);
   if (!same) return std::nullopt;
   return fmt::format("all {} {}s of {} repeat those of {}, for {}, digit by digit", own.size(),
                      noun(number.list.kind), number.list.source, theirs->source, other->name);
@@ -136,7 +134,7 @@ std::optional<std::string> explain(const ReversedContactFault&, const DifferingN
 }  // namespace
 
 bool concerns(const FactorFault& fault, int strand) {
-  return std::find(fault.strands.begin(), fault.strands.end(), strand) != fault.strands.end();
+  return std::ranges::find(fault.strands, strand) != fault.strands.end();
 }
 
 std::vector<PrintedList> printed_lists(const CatalogueEntry& entry) {

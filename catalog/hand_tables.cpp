@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -14,18 +13,9 @@ namespace reeve::catalog {
 namespace {
 
 // Core knows the ranges.
-double finite_number(const TomlNode& node) {
-  if (!node.is_number() || !std::isfinite(node.number)) node.fail_expected("a finite number");
-  return node.number;
-}
-
-double required(const TomlNode& joint, std::string_view key, std::string_view expected) {
-  return finite_number(joint.require(key, expected));
-}
-
 template <typename Number>
 void read_number_if_given(const TomlNode& table, std::string_view key, Number& number) {
-  if (const TomlNode* node = table.find(key)) number = finite_number(*node);
+  if (const TomlNode* node = table.find(key)) number = node->finite_number();
 }
 
 void read_guide(const TomlNode& node, FingerJoint& joint) {
@@ -45,9 +35,12 @@ FingerJoint read_joint(const TomlNode& node) {
   FingerJoint joint;
   node.table().allow_only({"arm_mm", "range_deg", "lever_mm", "spring_Nmm_rad", "rest_deg",
                            "held_deg", "guide", "mu", "wrap_deg", "object_deg", "phalanx_mm"});
-  joint.arm_mm = required(node, "arm_mm", "the tendon's moment arm about the joint, in mm");
-  joint.range_deg = required(node, "range_deg", "the joint's range of flexion, in degrees");
-  joint.lever_mm = required(node, "lever_mm", "the fingertip force's lever about the joint, in mm");
+  const auto required = [&](std::string_view key, std::string_view expected) {
+    return node.require(key, expected).finite_number();
+  };
+  joint.arm_mm = required("arm_mm", "the tendon's moment arm about the joint, in mm");
+  joint.range_deg = required("range_deg", "the joint's range of flexion, in degrees");
+  joint.lever_mm = required("lever_mm", "the fingertip force's lever about the joint, in mm");
   read_number_if_given(node, "spring_Nmm_rad", joint.spring_Nmm_rad);
   read_number_if_given(node, "rest_deg", joint.rest_deg);
   read_number_if_given(node, "held_deg", joint.held_deg);
@@ -98,23 +91,17 @@ FingerParts read_finger_parts(const TomlNode& table) {
   return parts;
 }
 
-void read_hand(const TomlNode& file, Hardware& hardware) {
-  const TomlNode* node = file.find("hand");
-  if (node == nullptr) return;
-  node->table().allow_only({"joints", "force_N"});
-  hardware.finger_parts = read_finger_parts(*node);
-  validate_at(*node, hardware);
+void read_hand(const TomlNode& table, Hardware& hardware) {
+  table.allow_only({"joints", "force_N"});
+  hardware.finger_parts = read_finger_parts(table);
 }
 
-void read_motor(const TomlNode& file, Hardware& hardware) {
-  const TomlNode* node = file.find("motor");
-  if (node == nullptr) return;
-  node->table().allow_only({"spool_radius_mm", "close_s", "force_N", "stroke_mm"});
-  read_number_if_given(*node, "spool_radius_mm", hardware.motor.spool_radius_mm);
-  read_number_if_given(*node, "close_s", hardware.motor.close_s);
-  read_number_if_given(*node, "force_N", hardware.motor.force_N);
-  read_number_if_given(*node, "stroke_mm", hardware.motor.stroke_mm);
-  validate_at(*node, hardware);
+void read_motor(const TomlNode& table, Hardware& hardware) {
+  table.allow_only({"spool_radius_mm", "close_s", "force_N", "stroke_mm"});
+  read_number_if_given(table, "spool_radius_mm", hardware.motor.spool_radius_mm);
+  read_number_if_given(table, "close_s", hardware.motor.close_s);
+  read_number_if_given(table, "force_N", hardware.motor.force_N);
+  read_number_if_given(table, "stroke_mm", hardware.motor.stroke_mm);
 }
 
 void require_joints(const TomlNode& file, const Hardware& hardware) {

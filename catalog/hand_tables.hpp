@@ -13,8 +13,8 @@ namespace reeve::catalog {
 FingerParts read_finger_parts(const TomlNode& table);
 
 // Reads [hand] and [motor]. Their keys require a hand with joints; this is checked last.
-void read_hand(const TomlNode& file, Hardware& hardware);
-void read_motor(const TomlNode& file, Hardware& hardware);
+void read_hand(const TomlNode& table, Hardware& hardware);
+void read_motor(const TomlNode& table, Hardware& hardware);
 void require_joints(const TomlNode& file, const Hardware& hardware);
 
 // The keys of a finger's parts; both tables, none of which is written if it says nothing.

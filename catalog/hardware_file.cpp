@@ -25,8 +25,4 @@ HardwareFile parse_hardware_file(const std::string& text, const std::string& nam
   return hardware_of(parse_toml(text, name));
 }
 
-Hardware read_hardware(const std::filesystem::path& path) {
-  return read_hardware_file(path).hardware;
-}
-
 }  // namespace reeve::catalog

@@ -34,10 +34,9 @@ struct HardwareFile {
   VaryTable vary{};
 };
 
-// All throw InputError with file, line, column, key, value and what was expected.
+// Both throw InputError with file, line, column, key, value and what was expected.
 HardwareFile read_hardware_file(const std::filesystem::path& path);
 // Parses the text of a file; `name` stands for the file in messages.
 HardwareFile parse_hardware_file(const std::string& text, const std::string& name);
-Hardware read_hardware(const std::filesystem::path& path);
 
 }  // namespace reeve::catalog

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <map>
 #include <numbers>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include "catalog/hand_tables.hpp"
@@ -22,15 +20,15 @@ void read_if_given(const TomlNode& table, std::string_view key, Number& number) 
   if (const TomlNode* node = table.find(key)) number = node->number_from_zero();
 }
 
-void read_law_keys(const TomlNode& node, ContactLaw& law) {
-  read_if_given(node, "mu", law.mu);
-  read_if_given(node, "angle_rad", law.angle_rad);
-  if (const TomlNode* known = node.find("known")) law.known = known->truth();
+void read_law_keys(const TomlNode& table, ContactLaw& law) {
+  read_if_given(table, "mu", law.mu);
+  read_if_given(table, "angle_rad", law.angle_rad);
+  if (const TomlNode* known = table.find("known")) law.known = known->truth();
 }
 
-void read_law(const TomlNode& node, ContactLaw& law) {
-  node.table().allow_only({"mu", "angle_rad", "known"});
-  read_law_keys(node, law);
+void read_law(const TomlNode& table, ContactLaw& law) {
+  table.allow_only({"mu", "angle_rad", "known"});
+  read_law_keys(table, law);
 }
 
 // A bend in degrees stands in place of the angle in radians.
@@ -54,49 +52,41 @@ void read_wobble(const TomlNode& sheath, ContactLaw& law) {
   }
 }
 
-void read_sheath(const TomlNode& file, Hardware& hardware) {
-  const TomlNode* node = file.find("sheath");
-  if (node == nullptr) return;
-  node->table().allow_only(
-      {"mu", "angle_rad", "bend_deg", "length_mm", "wobble_rad_per_m", "known"});
-  read_law_keys(*node, hardware.sheath);
-  read_bend(*node, "bend_deg", "angle_rad", hardware.sheath.angle_rad);
-  read_if_given(*node, "length_mm", hardware.sheath.length_mm);
-  read_wobble(*node, hardware.sheath);
-  validate_at(*node, hardware);
-}
+void read_tube(const TomlNode& table, Hardware& hardware) { read_law(table, hardware.tube); }
 
-void read_law(const TomlNode& file, std::string_view key, ContactLaw Hardware::*law,
-              Hardware& hardware) {
-  const TomlNode* node = file.find(key);
-  if (node == nullptr) return;
-  read_law(*node, hardware.*law);
-  validate_at(*node, hardware);
+void read_bearing(const TomlNode& table, Hardware& hardware) { read_law(table, hardware.bearing); }
+
+void read_sheath(const TomlNode& table, Hardware& hardware) {
+  table.allow_only({"mu", "angle_rad", "bend_deg", "length_mm", "wobble_rad_per_m", "known"});
+  read_law_keys(table, hardware.sheath);
+  read_bend(table, "bend_deg", "angle_rad", hardware.sheath.angle_rad);
+  read_if_given(table, "length_mm", hardware.sheath.length_mm);
+  read_wobble(table, hardware.sheath);
 }
 
 // Missing block parameters default to those of [bearing], so [bearing] is read first.
-void read_block(const TomlNode& file, Hardware& hardware) {
-  const TomlNode* node = file.find("block");
-  if (node == nullptr) return;
+void read_block(const TomlNode& table, Hardware& hardware) {
   hardware.block = hardware.bearing;
-  read_law(*node, *hardware.block);
-  validate_at(*node, hardware);
+  read_law(table, *hardware.block);
 }
 
-void read_lengths(const TomlNode& file, Hardware& hardware) {
-  const TomlNode* node = file.find("lengths");
-  if (node == nullptr) return;
-  node->table().allow_only({"strand_mm", "motor_side_mm", "hand_mm"});
-  read_if_given(*node, "strand_mm", hardware.strand_mm);
-  read_if_given(*node, "motor_side_mm", hardware.motor_side_mm);
-  read_if_given(*node, "hand_mm", hardware.hand_mm);
-  validate_at(*node, hardware);
+void read_lengths(const TomlNode& table, Hardware& hardware) {
+  table.allow_only({"strand_mm", "motor_side_mm", "hand_mm"});
+  read_if_given(table, "strand_mm", hardware.strand_mm);
+  read_if_given(table, "motor_side_mm", hardware.motor_side_mm);
+  read_if_given(table, "hand_mm", hardware.hand_mm);
+}
+
+// Returns the number that the key is, from 1 to `most`, or 0.
+int number_of_key(const TomlNode& node, int most) {
+  for (int number = 1; number <= most; ++number) {
+    if (node.key == std::to_string(number)) return number;
+  }
+  return 0;
 }
 
 int finger_number(const TomlNode& node) {
-  for (int finger = 1; finger <= max_fingers; ++finger) {
-    if (node.key == std::to_string(finger)) return finger;
-  }
+  if (const int finger = number_of_key(node, max_fingers); finger > 0) return finger;
   node.fail_at_key({.what = "unknown table",
                     .value = node.name,
                     .expected = fmt::format("finger.1 to finger.{}", max_fingers)});
@@ -162,9 +152,7 @@ void read_spools(const TomlNode& file, Hardware& hardware) {
 
 int tendon_number(const TomlNode& node) {
   constexpr int most = 2 * max_fingers;
-  for (int tendon = 1; tendon <= most; ++tendon) {
-    if (node.key == std::to_string(tendon)) return tendon;
-  }
+  if (const int tendon = number_of_key(node, most); tendon > 0) return tendon;
   node.fail_at_key({.what = "unknown key",
                     .value = node.name,
                     .expected = fmt::format("EA_N, travel_mm, or a table [tendon.1] to "
@@ -213,21 +201,22 @@ void read_range(const TomlNode& table, std::string_view key, MuRange& range) {
   }
 }
 
-void read_relative(const TomlNode& table, std::string_view key, double& half_width) {
-  const TomlNode* node = table.find(key);
-  if (node == nullptr) return;
-  half_width = node->number_from_zero();
-  if (half_width > 1) node->fail_expected("a half-width from 0 to 1, as a part of the value");
+// Reads a spread as a part of the value.
+void read_spread(const TomlNode& table, std::string_view key, const char* what, double most,
+                 double& spread) {
+  read_if_given(table, key, spread);
+  if (spread <= most) return;
+  table.find(key)->fail_expected(
+      fmt::format("{} from 0 to {}, as a part of the value", what, most));
+}
+
+void read_half_width(const TomlNode& table, std::string_view key, double& half_width) {
+  read_spread(table, key, "a half-width", 1, half_width);
 }
 
 void read_deviation(const TomlNode& table, std::string_view key, double& deviation) {
-  const TomlNode* node = table.find(key);
-  if (node == nullptr) return;
-  deviation = node->number_from_zero();
   constexpr double most = 0.3;  // beyond, some exponents would be below 0
-  if (deviation > most) {
-    node->fail_expected("a standard deviation from 0 to 0.3, as a part of the value");
-  }
+  read_spread(table, key, "a standard deviation", most, deviation);
 }
 
 UncertaintyRanges read_uncertainty(const TomlNode& file) {
@@ -238,8 +227,8 @@ UncertaintyRanges read_uncertainty(const TomlNode& file) {
                             "contact_relative", "bearing_contact_relative"});
   read_range(*node, "tube_mu", ranges.tube_mu);
   read_range(*node, "sheath_mu", ranges.sheath_mu);
-  read_relative(*node, "bearing_mu_relative", ranges.bearing_mu_relative);
-  read_relative(*node, "sheath_angle_relative", ranges.sheath_angle_relative);
+  read_half_width(*node, "bearing_mu_relative", ranges.bearing_mu_relative);
+  read_half_width(*node, "sheath_angle_relative", ranges.sheath_angle_relative);
   return ranges;
 }
 
@@ -259,8 +248,8 @@ std::string place_of(const TomlNode& node) {
 
 // A table of tables alone, such as the fingers, says nothing itself.
 bool says_something(const TomlNode& node) {
-  return std::any_of(node.children.begin(), node.children.end(),
-                     [](const TomlNode& child) { return child.kind != TomlKind::table; });
+  return std::ranges::any_of(node.children,
+                             [](const TomlNode& child) { return child.kind != TomlKind::table; });
 }
 
 void add_places(const TomlNode& table, std::map<std::string, std::string>& places) {
@@ -312,13 +301,19 @@ std::vector<std::string_view> hardware_table_names() {
 
 HardwareFile read_hardware_tables(const TomlNode& file) {
   HardwareFile result;
+  const auto read = [&](const char* name, void (*read_table)(const TomlNode&, Hardware&)) {
+    const TomlNode* node = file.find(name);
+    if (node == nullptr) return;
+    read_table(node->table(), result.hardware);
+    validate_at(*node, result.hardware);
+  };
   // The general laws first: those of a finger are checked together with them.
-  read_law(file, "tube", &Hardware::tube, result.hardware);
-  read_law(file, "bearing", &Hardware::bearing, result.hardware);
-  read_block(file, result.hardware);
-  read_sheath(file, result.hardware);
-  read_lengths(file, result.hardware);
-  read_hand(file, result.hardware);
+  read("tube", read_tube);
+  read("bearing", read_bearing);
+  read("block", read_block);
+  read("sheath", read_sheath);
+  read("lengths", read_lengths);
+  read("hand", read_hand);
   if (const TomlNode* fingers = file.find("finger")) {
     for (const TomlNode& finger : fingers->table().children) read_finger(finger, result.hardware);
   }
@@ -329,7 +324,7 @@ HardwareFile read_hardware_tables(const TomlNode& file) {
   }
   read_spools(file, result.hardware);
   read_tendons(file, result.hardware);
-  read_motor(file, result.hardware);
+  read("motor", read_motor);
   require_joints(file, result.hardware);
   result.uncertainty = read_uncertainty(file);
   result.hardware.scatter = read_scatter(file);

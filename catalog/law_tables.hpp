@@ -14,7 +14,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "catalog/catalogue.hpp"
 #include "catalog/toml_node.hpp"

@@ -4,15 +4,11 @@
 
 #include <algorithm>
 #include <memory>
-#include <string>
-#include <vector>
 
-#include "catalog/catalogue.hpp"
 #include "catalog/hardware_tables.hpp"
 #include "catalog/law_tables.hpp"
 #include "catalog/toml_node.hpp"
 #include "causes/library.hpp"
-#include "causes/model.hpp"
 #include "causes/term.hpp"
 #include "core/contact_name.hpp"
 #include "core/error.hpp"
@@ -193,7 +189,7 @@ std::vector<std::string> columns_of_laws(const Model& model) {
   for (const Effect& effect : model.effects) {
     for (const Covariate& covariate : covariates(effect)) {
       const std::string name = covariate_name(covariate);
-      const bool is_new = std::find(columns.begin(), columns.end(), name) == columns.end();
+      const bool is_new = std::ranges::find(columns, name) == columns.end();
       if (covariate.kind == CovariateKind::column && is_new) columns.push_back(name);
     }
   }

@@ -1,6 +1,5 @@
 #include "catalog/price_file.hpp"
 
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "catalog/entry_file.hpp"
-#include "catalog/toml_node.hpp"
 
 namespace reeve::catalog {
 namespace {
@@ -168,8 +167,7 @@ const char* fault_name(const IndicatorFault& fault) {
 }
 
 const IndicatorRow* IndicatorTable::find(const std::string& routing) const {
-  const auto found = std::find_if(rows.begin(), rows.end(),
-                                  [&](const IndicatorRow& row) { return row.routing == routing; });
+  const auto found = std::ranges::find(rows, routing, &IndicatorRow::routing);
   return found == rows.end() ? nullptr : &*found;
 }
 

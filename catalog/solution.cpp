@@ -5,7 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "core/hardware.hpp"
 #include "core/network.hpp"
 #include "core/tension/tension.hpp"
 

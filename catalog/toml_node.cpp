@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/input_file.hpp"
 #include "core/nearest_name.hpp"
 
@@ -155,8 +154,7 @@ std::string shown(const TomlNode& node) {
 }  // namespace
 
 const TomlNode* TomlNode::find(std::string_view wanted) const {
-  const auto found = std::find_if(children.begin(), children.end(),
-                                  [&](const TomlNode& child) { return child.key == wanted; });
+  const auto found = std::ranges::find(children, wanted, &TomlNode::key);
   return found == children.end() ? nullptr : &*found;
 }
 
@@ -169,7 +167,7 @@ const TomlNode& TomlNode::require(std::string_view wanted, std::string_view expe
 
 void TomlNode::allow_only(const std::vector<std::string_view>& keys) const {
   for (const TomlNode& child : children) {
-    if (std::find(keys.begin(), keys.end(), child.key) != keys.end()) continue;
+    if (std::ranges::find(keys, child.key) != keys.end()) continue;
     child.fail_at_key(
         {.what = "unknown key",
          .value = shortened(child.name),

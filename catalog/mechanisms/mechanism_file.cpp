@@ -11,10 +11,8 @@
 
 #include "catalog/entry_file.hpp"
 #include "catalog/hardware_tables.hpp"
-#include "catalog/mechanisms/mechanism.hpp"
 #include "catalog/mechanisms/named_values.hpp"
 #include "catalog/mechanisms/trials.hpp"
-#include "catalog/toml_node.hpp"
 #include "core/canonical.hpp"
 #include "core/error.hpp"
 #include "core/mechanics.hpp"
@@ -53,8 +51,7 @@ TomlNode with_numbers(TomlNode node, const NamedValues& names) {
 // Returns the keys of `over`, and those of `base` that `over` does not have.
 TomlNode overlaid(TomlNode base, const TomlNode& over) {
   for (const TomlNode& child : over.children) {
-    const auto same = std::find_if(base.children.begin(), base.children.end(),
-                                   [&](const TomlNode& other) { return other.key == child.key; });
+    const auto same = std::ranges::find(base.children, child.key, &TomlNode::key);
     if (same == base.children.end()) {
       base.children.push_back(child);
     } else if (same->kind == TomlKind::table && child.kind == TomlKind::table) {
@@ -79,8 +76,8 @@ NamedValues read_let(const TomlNode* of_rig, const TomlNode* of_number) {
   if (of_number != nullptr) let = overlaid(std::move(let), of_number->table());
   for (const TomlNode& item : let.children) {
     const bool plain =
-        std::all_of(
-            item.key.begin(), item.key.end(),
+        std::ranges::all_of(
+            item.key,
             [](unsigned char c) { return (std::isalnum(c) != 0 && c < 0x80) || c == '_'; }) &&
         !item.key.empty() && std::isdigit(static_cast<unsigned char>(item.key[0])) == 0;
     if (!plain || values.contains(item.key)) {

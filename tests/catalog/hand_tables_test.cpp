@@ -19,12 +19,12 @@ using testing::TemporaryFolder;
 
 Hardware hardware_of(const std::string& text) {
   const TemporaryFolder folder;
-  return read_hardware(folder.write("h.toml", text));
+  return read_hardware_file(folder.write("h.toml", text)).hardware;
 }
 
 std::string error_in(const std::string& text) {
   const TemporaryFolder folder;
-  return folder.error_of([&] { read_hardware(folder.write("h.toml", text)); });
+  return folder.error_of([&] { read_hardware_file(folder.write("h.toml", text)); });
 }
 
 const std::string joint = "{ arm_mm = 8, range_deg = 90, lever_mm = 60 }";
@@ -94,7 +94,8 @@ TEST(HandTables, AreNotWrittenWhereNothingIsSaidOfAHand) {
 
 TEST(HandTables, OfTheExampleAreAHandOfThreeFingers) {
   const Hardware hardware =
-      read_hardware(std::string(REEVE_CATALOG_DIR) + "/hardware/three_finger_hand.toml");
+      read_hardware_file(std::string(REEVE_CATALOG_DIR) + "/hardware/three_finger_hand.toml")
+          .hardware;
   EXPECT_EQ(hardware.finger_parts.joints.size(), 3U);
   EXPECT_EQ(hardware.fingers[0].parts.joints.size(), 2U);
   EXPECT_EQ(hardware.fingers[0].parts.force_N, 2 * *hardware.finger_parts.force_N);

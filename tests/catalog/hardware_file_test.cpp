@@ -331,7 +331,7 @@ TEST(HardwareFile, NamesUnknownTablesAndKeysAndTheKnownOnes) {
 TEST(HardwareFile, RefusesWhatIsNoReadableFile) {
   const TemporaryFolder folder;
   const auto error = [&](const std::string& name) {
-    return folder.error_of([&] { read_hardware(folder.path() / name); });
+    return folder.error_of([&] { read_hardware_file(folder.path() / name); });
   };
   std::filesystem::create_directory(folder.path() / "sub");
   EXPECT_EQ(error("none.toml"), "none.toml: cannot be read: No such file or directory");
@@ -343,8 +343,8 @@ TEST(HardwareFile, RefusesMoreThanOneMebibyte) {
   const std::string line(1023, '#');
   std::string text;
   for (int i = 0; i < 1024; ++i) text += line + "\n";
-  EXPECT_NO_THROW(read_hardware(folder.write("h.toml", text)));
-  EXPECT_EQ(folder.error_of([&] { read_hardware(folder.write("h.toml", text + "\n")); }),
+  EXPECT_NO_THROW(read_hardware_file(folder.write("h.toml", text)));
+  EXPECT_EQ(folder.error_of([&] { read_hardware_file(folder.write("h.toml", text + "\n")); }),
             "h.toml: is larger than 1 MiB: expected a TOML file of some lines");
 }
 

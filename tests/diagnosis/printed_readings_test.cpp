@@ -25,7 +25,9 @@ MeasuredData readings_of(const std::string& name) {
                             [](const std::string& word) { return parse_routing(word); });
 }
 
-Hardware rope_bench() { return read_hardware(catalogue / "hardware" / "rope_bench.toml"); }
+Hardware rope_bench() {
+  return read_hardware_file(catalogue / "hardware" / "rope_bench.toml").hardware;
+}
 
 void expect_predicted(const Comparison& comparison, std::size_t at, double expected) {
   EXPECT_NEAR(comparison.values[at].predicted, expected, 1e-9 * expected) << at;
@@ -97,7 +99,7 @@ TEST(PrintedReadings, OfTwoCarabinersSideBySideTheCapstanLawCannotExplain) {
 TEST(PrintedReadings, OfIgktSlideAtTheCapstanLawsRatio) {
   const MeasuredData data = readings_of("igkt.csv");
   ASSERT_EQ(data.readings.size(), 1U);
-  Hardware hardware = read_hardware(catalogue / "hardware" / "rope_post.toml");
+  Hardware hardware = read_hardware_file(catalogue / "hardware" / "rope_post.toml").hardware;
   hardware.tube.mu = std::log(19.0) / (3 * std::numbers::pi);
   EXPECT_NEAR(compare(data, Model{hardware}).values[0].residual(), 0, 1e-9);
 }

@@ -215,7 +215,8 @@ TEST(Sizing, RefusesBoundsBeyondAnyContact) {
 }
 
 Model with_three_finger_hand() {
-  return {read_hardware(REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml"), {}, {}};
+  return {
+      read_hardware_file(REEVE_CATALOG_DIR "/hardware/three_finger_hand.toml").hardware, {}, {}};
 }
 
 // Looked at beyond its bounds an arm ends at 0.01 mm, and those of other joints may end before it.
