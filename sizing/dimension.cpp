@@ -188,15 +188,14 @@ std::string to_text(const DimensionName& name) {
 }
 
 bool DimensionName::has(const SizedDimension& dimension) const {
-  return std::any_of(named.begin(), named.end(),
-                     [&](const SizedDimension& one) { return mean_the_same(one, dimension); });
+  return std::ranges::any_of(
+      named, [&](const SizedDimension& one) { return mean_the_same(one, dimension); });
 }
 
 DimensionName parse_dimensions(const std::string& text) {
   const std::size_t bracket = std::min(text.find('['), text.size());
   const std::string name(trimmed(text.substr(0, bracket)));
-  const auto about = std::find_if(quantities.begin(), quantities.end(),
-                                  [&](const QuantityRow& row) { return row.name == name; });
+  const auto about = std::ranges::find(quantities, name, &QuantityRow::name);
   const bool closed = bracket == text.size() || text.back() == ']';
   if (about == quantities.end() || !closed) {
     std::vector<std::string> names;

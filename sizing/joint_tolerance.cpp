@@ -49,13 +49,7 @@ class ToleranceBox {
   }
 
   double loss(const SizingPoint& where, double factor) const {
-    SizingPoint there = point_;
-    const std::vector<double> move = moves(where, factor);
-    for (std::size_t i = 0; i < size(); ++i) {
-      const Interval limits = possible(problem_, i);  // a rounding error is no way beyond them
-      there[i] = std::clamp(there[i] + move[i], limits.low, limits.high);
-    }
-    return problem_.loss(there);
+    return loss_after(problem_, point_, moves(where, factor));
   }
 
   // A rounding error is no loss.

@@ -36,11 +36,9 @@ std::vector<AngledContact> angled_contacts(const Network& network, const Hardwar
 }
 
 void sort_by_finger(std::vector<PlacedDimension>& found) {
-  std::stable_sort(found.begin(), found.end(),
-                   [](const PlacedDimension& a, const PlacedDimension& b) {
-                     return (a.dimension.finger == 0 ? max_fingers + 1 : a.dimension.finger) <
-                            (b.dimension.finger == 0 ? max_fingers + 1 : b.dimension.finger);
-                   });
+  std::ranges::stable_sort(found, {}, [](const PlacedDimension& placed) {
+    return placed.dimension.finger == 0 ? max_fingers + 1 : placed.dimension.finger;
+  });
 }
 
 std::vector<PlacedDimension> angles_of_fingers(const Network& network, const Hardware& hardware,
@@ -52,9 +50,8 @@ std::vector<PlacedDimension> angles_of_fingers(const Network& network, const Har
     if (contact.place != place || (contact.finger != 0 && is_own)) continue;
     PlacedDimension here = angle;
     if (contact.finger != 0) here.dimension = {quantity, contact.finger, {}, {}};
-    const bool is_there = std::any_of(
-        found.begin(), found.end(),
-        [&](const PlacedDimension& other) { return other.dimension == here.dimension; });
+    const bool is_there = std::ranges::any_of(
+        found, [&](const PlacedDimension& other) { return other.dimension == here.dimension; });
     if (!is_there) found.push_back(here);
   }
   sort_by_finger(found);
@@ -105,8 +102,8 @@ std::vector<PlacedDimension> lengths_of_hand(const Network& network, const Hardw
                                              SizedQuantity quantity) {
   const bool motor = quantity == SizedQuantity::motor_side_mm;
   const SegmentKind kind = motor ? SegmentKind::motor_side : SegmentKind::hand;
-  const bool there = std::any_of(network.segments.begin(), network.segments.end(),
-                                 [&](const Segment& segment) { return segment.kind == kind; });
+  const bool there = std::ranges::any_of(
+      network.segments, [&](const Segment& segment) { return segment.kind == kind; });
   if (!there) return {};
   return {{{quantity, 0, {}, {}}, motor ? hardware.motor_side_mm : hardware.hand_mm}};
 }
@@ -116,8 +113,8 @@ FingerHardware& finger_of(Hardware& hardware, int finger) {
     if (here.finger == finger) return here;
   }
   // Keeps the order of the fingers, for a reader of the file.
-  const auto place = std::find_if(hardware.fingers.begin(), hardware.fingers.end(),
-                                  [&](const FingerHardware& here) { return here.finger > finger; });
+  const auto place = std::ranges::find_if(
+      hardware.fingers, [&](const FingerHardware& here) { return here.finger > finger; });
   FingerHardware& added = *hardware.fingers.emplace(place);
   added.finger = finger;
   return added;

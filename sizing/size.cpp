@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <utility>
 
 #include "core/error.hpp"
 #include "numerics/least_squares.hpp"

@@ -1,6 +1,7 @@
 #include "sizing/size_space.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -20,9 +21,9 @@ std::vector<PlacedDimension> covered(const Network& network, const Hardware& har
                                      const DimensionName& name) {
   std::vector<PlacedDimension> found;
   for (const PlacedDimension& placed : dimensions_of(network, hardware, name.quantity)) {
-    const bool is_named = std::any_of(
-        name.named.begin(), name.named.end(),
-        [&](const SizedDimension& named) { return means_in(network, named, placed.dimension); });
+    const bool is_named = std::ranges::any_of(name.named, [&](const SizedDimension& named) {
+      return means_in(network, named, placed.dimension);
+    });
     if (name.named.empty() || is_named) found.push_back(placed);
   }
   return found;
@@ -90,22 +91,18 @@ class Collector {
   };
 
   std::size_t place_of(const PlacedDimension& placed) const {
-    std::size_t at = 0;
-    while (at < space_.dimensions.size() &&
-           !(space_.dimensions[at].dimension == placed.dimension)) {
-      ++at;
-    }
-    return at;
+    const auto found =
+        std::ranges::find(space_.dimensions, placed.dimension, &PlacedDimension::dimension);
+    return static_cast<std::size_t>(found - space_.dimensions.begin());
   }
 
   // Merges groups that overlap: equality is transitive.
   void add_joint(Joint joint) {
     std::vector<Joint> apart;
     for (Joint& other : groups_) {
-      const bool overlaps =
-          std::any_of(other.members.begin(), other.members.end(), [&](std::size_t member) {
-            return std::count(joint.members.begin(), joint.members.end(), member) > 0;
-          });
+      const bool overlaps = std::ranges::any_of(other.members, [&](std::size_t member) {
+        return std::ranges::count(joint.members, member) > 0;
+      });
       if (overlaps) {
         joint.members.insert(joint.members.end(), other.members.begin(), other.members.end());
       } else {
@@ -121,7 +118,7 @@ class Collector {
 
   Joint joint_of(std::size_t dimension) const {
     for (const Joint& group : groups_) {
-      if (std::count(group.members.begin(), group.members.end(), dimension) > 0) return group;
+      if (std::ranges::count(group.members, dimension) > 0) return group;
     }
     return {{dimension}, ""};
   }
@@ -159,13 +156,13 @@ bool says_again(const DimensionName& a, const DimensionName& b,
   if (a.named.empty()) return true;
   const auto is_again = [&](const SizedDimension& one) {
     if (b.has(one)) return true;
-    return std::any_of(b.named.begin(), b.named.end(), [&](const SizedDimension& other) {
-      return std::any_of(networks.begin(), networks.end(), [&](const Network& network) {
+    return std::ranges::any_of(b.named, [&](const SizedDimension& other) {
+      return std::ranges::any_of(networks, [&](const Network& network) {
         return find_contact(network, one.contact()) && means_in(network, one, other);
       });
     });
   };
-  return std::any_of(a.named.begin(), a.named.end(), is_again);
+  return std::ranges::any_of(a.named, is_again);
 }
 
 // Lists the dimensions of a routing that could be varied.
@@ -175,14 +172,12 @@ std::string dimension_list(const Network& network, const Hardware& hardware) {
   for (const QuantityRow& row : quantity_table()) {
     for (const PlacedDimension& placed : dimensions_of(network, hardware, row.quantity)) {
       const std::string name = to_text(placed.dimension);
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     }
   }
-  std::string list;
-  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) {
-    list += (i == 0 ? "" : ", ") + names[i];
-  }
-  return list + (names.size() > most ? ", …" : "");
+  const bool has_more = names.size() > most;
+  if (has_more) names.resize(most);
+  return fmt::format("{}{}", fmt::join(names, ", "), has_more ? ", …" : "");
 }
 
 // Each named dimension must be so in some routing; without names, one of the quantity.
@@ -218,9 +213,8 @@ void require_none_hidden(const Network& network, const Hardware& hardware, const
   }
   for (const PlacedDimension& placed : space.dimensions) {
     const auto left = dimensions_of(network, with_contacts, placed.dimension.quantity);
-    const bool is_left = std::any_of(left.begin(), left.end(), [&](const PlacedDimension& one) {
-      return one.dimension == placed.dimension;
-    });
+    const bool is_left = std::ranges::any_of(
+        left, [&](const PlacedDimension& one) { return one.dimension == placed.dimension; });
     if (is_left) continue;
     throw InputError({.what = "varied dimension",
                       .value = to_text(placed.dimension),

@@ -1,6 +1,5 @@
 #include "sizing/sizing_problem.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

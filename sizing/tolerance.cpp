@@ -36,6 +36,13 @@ double width(const Interval& bounds) {
   return std::max(bounds.high - bounds.low, 1e-6 * std::max(1.0, std::abs(bounds.high)));
 }
 
+// Returns the values that the variable may have in any hardware.
+Interval possible(const SizingProblem& problem, std::size_t variable) {
+  const SizeSpace& space = problem.space();
+  const std::size_t first = space.variables[variable].dimensions.front();
+  return row(space.dimensions[first].dimension.quantity).possible;
+}
+
 // Returns the distance to the first place where `lost` is true: scanned, then bisected.
 std::optional<double> way_to(double reach, const std::function<bool(double)>& lost) {
   double inside = 0;
@@ -130,13 +137,7 @@ class Plain {
   }
 
   double loss(const Eigen::VectorXd& direction) const {
-    SizingPoint there = point_;
-    const std::vector<double> way = moves(direction);
-    for (std::size_t i = 0; i < there.size(); ++i) {
-      const Interval limits = possible(problem_, i);
-      there[i] = std::clamp(there[i] + way[i], limits.low, limits.high);
-    }
-    return problem_.loss(there);
+    return loss_after(problem_, point_, moves(direction));
   }
 
   // Returns second differences of the loss, or of its square: a miss has an edge where it is 0.
@@ -210,10 +211,13 @@ std::vector<GoalProfile> goal_profiles(const SizingProblem& problem, const Sizin
   return profiles;
 }
 
-Interval possible(const SizingProblem& problem, std::size_t variable) {
-  const SizeSpace& space = problem.space();
-  const std::size_t first = space.variables[variable].dimensions.front();
-  return row(space.dimensions[first].dimension.quantity).possible;
+double loss_after(const SizingProblem& problem, SizingPoint point,
+                  const std::vector<double>& moves) {
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const Interval limits = possible(problem, i);
+    point[i] = std::clamp(point[i] + moves[i], limits.low, limits.high);
+  }
+  return problem.loss(point);
 }
 
 AtBound at_bound(const Interval& bounds, double value) {

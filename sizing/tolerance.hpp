@@ -20,8 +20,10 @@ double tolerated(const SizingProblem& problem, const Goal& goal, const SizingPoi
 // rounding of the tensions, objectives are rounded to 1e-10, and factors of a product are up to 10.
 double goal_rounding(const Goal& goal);
 
-// Returns the values that the variable may have in any hardware.
-Interval possible(const SizingProblem& problem, std::size_t variable);
+// Returns the loss after a move of the variables, each kept to what is possible in any hardware,
+// since a rounding error is no way beyond that.
+double loss_after(const SizingProblem& problem, SizingPoint point,
+                  const std::vector<double>& moves);
 
 // Returns the range of evaluation beyond the point, towards less (−1) or more (1). It ends one
 // width of the bounds beyond them, or where no hardware is possible.

@@ -15,8 +15,7 @@ std::string shown(const StoredSetting& there, const StoredSetting& asked) {
 }
 
 StoredSetting setting(const Description& description, const std::string& key) {
-  const auto found = std::find_if(description.settings.begin(), description.settings.end(),
-                                  [&](const StoredSetting& setting) { return setting.key == key; });
+  const auto found = std::ranges::find(description.settings, key, &StoredSetting::key);
   return found == description.settings.end() ? StoredSetting{key, "nothing"} : *found;
 }
 

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "core/error.hpp"
 #include "core/notation.hpp"
