@@ -25,17 +25,15 @@ namespace {
 using cli::api::Arguments;
 using studies::StudySupervision;
 
-// The result and whether it was interrupted; None where stopping left nothing.
-template <typename Pair>
-py::tuple found(Pair&& pair) {
-  return py::make_tuple(std::move(pair.first), pair.second);
-}
-
+// One that takes long. It returns its result, None where stopping left nothing, and whether it was
+// interrupted.
 template <typename Study>
-py::tuple run(Study study, const Arguments& arguments, const py::object& progress) {
-  return found(watched(progress, [&](const StudySupervision& supervision) {
-    return study(arguments, supervision);
-  }));
+void def_study(py::module_& module, const char* name, Study study) {
+  module.def(name, [study](const Arguments& arguments, const py::object& progress) {
+    return watched(progress, [&](const StudySupervision& supervision) {
+      return study(arguments, supervision);
+    });
+  });
 }
 
 template <typename Report>
@@ -69,9 +67,7 @@ void bind_exploration(py::module_& module) {
   bind_designs<ExploreReport>(
       report, [](const ExploreReport& self) -> const ExploreReport& { return self; });
   report.def("save", &save<ExploreReport>).def("partial", &partial_note);
-  module.def("explore", [](const Arguments& arguments, const py::object& progress) {
-    return run(&cli::api::explore, arguments, progress);
-  });
+  def_study(module, "explore", &cli::api::explore);
 }
 
 void bind_merging(py::module_& module) {
@@ -85,9 +81,7 @@ void bind_merging(py::module_& module) {
   report.def("save", &save<MergedExploration>).def("partial", [](const MergedExploration& self) {
     return partial_note(self.report);
   });
-  module.def("merge", [](const Arguments& arguments, const py::object& progress) {
-    return run(&cli::api::merge, arguments, progress);
-  });
+  def_study(module, "merge", &cli::api::merge);
 }
 
 void bind_ranking(py::module_& module) {
@@ -100,9 +94,7 @@ void bind_ranking(py::module_& module) {
         auto& data = self.details->distributions.data;
         if (data) data->file = name;
       });
-  module.def("rank", [](const Arguments& arguments, const py::object& progress) {
-    return run(&cli::api::rank, arguments, progress);
-  });
+  def_study(module, "rank", &cli::api::rank);
 }
 
 void bind_stored_ranking(py::module_& module) {
@@ -125,9 +117,7 @@ void bind_sizing(py::module_& module) {
              return cli::api::hardware_toml(self, arguments);
            })
       .def("partial", [](const SizingReport& self) { return self.partial; });
-  module.def("size", [](const Arguments& arguments, const py::object& progress) {
-    return run(&cli::api::size, arguments, progress);
-  });
+  def_study(module, "size", &cli::api::size);
 }
 
 void bind_diagnosis(py::module_& module) {
@@ -139,9 +129,7 @@ void bind_diagnosis(py::module_& module) {
       .def("model_toml", &cli::api::model_toml)
       .def("call_data",
            [](DiagnosisReport& self, const std::string& name) { self.data.file = name; });
-  module.def("diagnose", [](const Arguments& arguments, const py::object& progress) {
-    return run(&cli::api::diagnose, arguments, progress);
-  });
+  def_study(module, "diagnose", &cli::api::diagnose);
 }
 
 void bind_showing(py::module_& module) {
@@ -182,9 +170,7 @@ void bind_quick_ones(py::module_& module) {
 void bind_power(py::module_& module) {
   py::class_<PowerReport> report(module, "PowerReport");
   bind_report<PowerReport>(report, &power_json, &power_sheet);
-  module.def("power", [](const Arguments& arguments, const py::object& progress) {
-    return run(&cli::api::power, arguments, progress);
-  });
+  def_study(module, "power", &cli::api::power);
 }
 
 void bind_import(py::module_& module) {

@@ -91,8 +91,8 @@ py::dict design_columns(const Designs& designs) {
   columns["routing"] = texts(designs, [](const ListedDesign& d) { return d.ranked.design.word; });
   columns["name"] = texts(designs, [](const ListedDesign& d) { return d.name; });
   add_objectives(columns, designs);
-  const bool drawn = std::any_of(designs.begin(), designs.end(),
-                                 [](const ListedDesign& d) { return d.distribution.has_value(); });
+  const bool drawn = std::ranges::any_of(
+      designs, [](const ListedDesign& d) { return d.distribution.has_value(); });
   if (drawn) {
     columns["first_share"] =
         of_distribution(designs, [](const RankDistribution& d) { return d.first; });

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <regex>
 #include <string>
 #include <string_view>
@@ -56,13 +57,6 @@ constexpr Field fields[] = {
      "Length between two joins at the hand, mm."},
 };
 
-const Field* find_field(const std::string& name) {
-  for (const Field& field : fields) {
-    if (name == field.name) return &field;
-  }
-  return nullptr;
-}
-
 // mu_tube is tube_mu.
 std::string as_in_the_files(const std::string& name) {
   return name.starts_with("mu_") ? name.substr(3) + "_mu" : name;
@@ -91,11 +85,10 @@ constexpr MappingTable tables[] = {
     {"uncertainty", "uncertainty", "How well the coefficients are known."},
 };
 
-const MappingTable* find_table(const std::string& name) {
-  for (const MappingTable& table : tables) {
-    if (name == table.name) return &table;
-  }
-  return nullptr;
+template <typename Row, std::size_t count>
+const Row* find(const Row (&rows)[count], const std::string& name) {
+  const Row* const found = std::ranges::find(rows, name, &Row::name);
+  return found == std::end(rows) ? nullptr : found;
 }
 
 [[noreturn]] void fail_unknown(const std::string& given) {
@@ -132,9 +125,9 @@ HardwareFile with(HardwareFile file, const py::kwargs& changes) {
   std::vector<catalog::TomlNode> changed;
   for (const auto& [key, value] : changes) {
     const auto given = key.cast<std::string>();
-    if (const MappingTable* table = find_table(given)) {
+    if (const MappingTable* table = find(tables, given)) {
       changed.push_back(toml_from(value, given, table->key));
-    } else if (const Field* field = find_field(as_in_the_files(given))) {
+    } else if (const Field* field = find(fields, as_in_the_files(given))) {
       field->of(file.hardware) = number_from(value, given);
     } else {
       fail_unknown(given);
