@@ -29,7 +29,8 @@ class PublicationCheck {
   std::vector<CheckItem> run() {
     if (publication_.indicators) {
       check_sums();
-      append(check_indicators(catalogue_, publication_, readings_));
+      std::ranges::move(check_indicators(catalogue_, publication_, readings_),
+                        std::back_inserter(items_));
     }
     for (const PublishedError& error : publication_.errors) check_error(error);
     if (publication_.coefficient) check_coefficient(*publication_.coefficient);
@@ -40,10 +41,6 @@ class PublicationCheck {
   }
 
  private:
-  void append(std::vector<CheckItem> items) {
-    for (CheckItem& item : items) items_.push_back(std::move(item));
-  }
-
   CheckItem item(const std::string& source, CheckedQuantity quantity) const {
     CheckItem item;
     item.source = publication_.name + ", " + source;
@@ -250,16 +247,15 @@ CheckReport check_paper(const Catalogue& catalogue, const CatalogueFiles& files)
     const CatalogueFile file = files.find("measured/" + publication.readings);
     const MeasuredData readings = file.text ? parse_measured_data(*file.text, file.name, routing)
                                             : read_measured_data(file.name, routing);
-    for (CheckItem& item : check_publication(catalogue, publication, readings)) {
-      report.items.push_back(std::move(item));
-    }
+    std::ranges::move(check_publication(catalogue, publication, readings),
+                      std::back_inserter(report.items));
   }
   return report;
 }
 
 void append(CheckReport part, CheckReport& report) {
-  std::move(part.items.begin(), part.items.end(), std::back_inserter(report.items));
-  std::move(part.misprints.begin(), part.misprints.end(), std::back_inserter(report.misprints));
+  std::ranges::move(part.items, std::back_inserter(report.items));
+  std::ranges::move(part.misprints, std::back_inserter(report.misprints));
 }
 
 }  // namespace

@@ -126,8 +126,18 @@ class IndicatorCheck {
 
   std::vector<CheckItem> run() {
     for (const RowCheck& row : rows_) {
-      for (std::size_t i = 0; i < indicator_count; ++i) add_number(row, i);
-      add_mean(row);
+      for (std::size_t i = 0; i < indicator_count; ++i) {
+        const PrintedNumber& printed = row.row->printed[i];
+        add(
+            row, printed, {CheckedKind::indicator, static_cast<int>(i + 1)},
+            [&](const RowCheck& other) { return fits(printed, other, i); },
+            [&](const RowCheck& other) { return other.computed[i]; });
+      }
+      const PrintedNumber& printed = row.row->mean;
+      add(
+          row, printed, {CheckedKind::indicator_mean, 0},
+          [&](const RowCheck& other) { return mean_fits(printed, other); },
+          [](const RowCheck& other) { return mean(other.computed); });
     }
     for (std::size_t i = 0; i < table_.faults.size(); ++i) {
       const IndicatorFault& fault = table_.faults[i];
@@ -139,6 +149,11 @@ class IndicatorCheck {
   }
 
  private:
+  // Whether a printed number is that of these readings, and what they give for it; also asked of
+  // another row's readings, or of other rules.
+  using Fits = std::function<bool(const RowCheck&)>;
+  using Number = std::function<double(const RowCheck&)>;
+
   RowCheck checked(const CatalogueEntry& entry, const IndicatorRow& row,
                    std::vector<double> strands, const std::vector<MotorSideRule>& rules) const {
     RowCheck check{&entry, &row, std::move(strands), {}, {}};
@@ -160,48 +175,24 @@ class IndicatorCheck {
 
   std::string source() const { return publication_.name + ", " + table_.source; }
 
-  CheckItem item(const RowCheck& check, const PrintedNumber& printed, double computed) const {
+  void add(const RowCheck& check, const PrintedNumber& printed, const CheckedQuantity& quantity,
+           const Fits& fits, const Number& number) {
     CheckItem item;
     item.routing = check.row->routing;
     item.source = source();
+    item.quantity = quantity;
     item.printed = printed.digits;
     item.published = printed.value;
-    item.computed = computed;
-    return item;
-  }
-
-  void add_number(const RowCheck& check, std::size_t i) {
-    const PrintedNumber& printed = check.row->printed[i];
-    CheckItem result = item(check, printed, check.computed[i]);
-    result.quantity = {CheckedKind::indicator, static_cast<int>(i + 1)};
-    if (fits(printed, check, i)) {
-      result.status = CheckStatus::agrees;
+    item.computed = number(check);
+    if (fits(check)) {
+      item.status = CheckStatus::agrees;
     } else {
-      explain(
-          result, check, [&](const RowCheck& other) { return fits(printed, other, i); },
-          [&](const RowCheck& other) { return other.computed[i]; });
+      explain(item, check, fits, number);
     }
-    items_.push_back(std::move(result));
+    items_.push_back(std::move(item));
   }
 
-  void add_mean(const RowCheck& check) {
-    const PrintedNumber& printed = check.row->mean;
-    CheckItem result = item(check, printed, mean(check.computed));
-    result.quantity = {CheckedKind::indicator_mean, 0};
-    if (mean_fits(printed, check)) {
-      result.status = CheckStatus::agrees;
-    } else {
-      explain(
-          result, check, [&](const RowCheck& other) { return mean_fits(printed, other); },
-          [&](const RowCheck& other) { return mean(other.computed); });
-    }
-    items_.push_back(std::move(result));
-  }
-
-  // `fits` says whether the number is that of another row's readings, or of other rules.
-  void explain(CheckItem& item, const RowCheck& check,
-               const std::function<bool(const RowCheck&)>& fits,
-               const std::function<double(const RowCheck&)>& number) {
+  void explain(CheckItem& item, const RowCheck& check, const Fits& fits, const Number& number) {
     for (std::size_t i = 0; i < table_.faults.size(); ++i) {
       const auto reason =
           std::visit([&](const auto& what) { return reason_of(what, item, check, fits, number); },
@@ -219,9 +210,8 @@ class IndicatorCheck {
   }
 
   std::optional<std::string> reason_of(const SlidesToHandFault& fault, const CheckItem& item,
-                                       const RowCheck& check,
-                                       const std::function<bool(const RowCheck&)>& fits,
-                                       const std::function<double(const RowCheck&)>& number) const {
+                                       const RowCheck& check, const Fits& fits,
+                                       const Number& number) const {
     if (fault.routing != check.row->routing) return std::nullopt;
     std::vector<MotorSideRule> rules = check.row->motor_side;
     for (MotorSideRule& rule : rules) {
@@ -252,9 +242,8 @@ class IndicatorCheck {
   }
 
   std::optional<std::string> reason_of(const ExchangedFault& fault, const CheckItem& item,
-                                       const RowCheck& check,
-                                       const std::function<bool(const RowCheck&)>& fits,
-                                       const std::function<double(const RowCheck&)>&) const {
+                                       const RowCheck& check, const Fits& fits,
+                                       const Number&) const {
     const RowCheck* a = find(fault.routings[0]);
     const RowCheck* b = find(fault.routings[1]);
     if (a == nullptr || b == nullptr || (check.row != a->row && check.row != b->row)) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "causes/model_solver.hpp"
@@ -170,8 +169,7 @@ std::vector<ShownClosing> shown_closings(const Hand& hand, int fingers) {
   for (int f = 1; f <= fingers; ++f) {
     const std::vector<FingerJoint>& joints = hand.finger(f).joints;
     if (!is_worth_closing(joints)) continue;
-    const auto alike =
-        std::ranges::find_if(closings, [&](const ShownClosing& c) { return c.joints == joints; });
+    const auto alike = std::ranges::find(closings, joints, &ShownClosing::joints);
     if (alike != closings.end()) {
       alike->fingers.push_back(f);
     } else {

@@ -24,9 +24,8 @@ auto key(const SizedRouting& routing, GoalOf of, Better better) {
 }
 
 void sort(std::vector<SizedRouting>& designs, GoalOf of, Better better) {
-  std::ranges::sort(designs, [&](const SizedRouting& a, const SizedRouting& b) {
-    return key(a, of, better) < key(b, of, better);
-  });
+  std::ranges::sort(designs, {},
+                    [&](const SizedRouting& routing) { return key(routing, of, better); });
 }
 
 }  // namespace

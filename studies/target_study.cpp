@@ -228,9 +228,7 @@ TargetReport target_study(const ExploreOptions& explored, const SizingOptions& s
   } catch (const Stopped&) {
     report.partial = true;
   }
-  std::ranges::sort(report.designs, [](const TargetedDesign& a, const TargetedDesign& b) {
-    return key(a) < key(b);
-  });
+  std::ranges::sort(report.designs, {}, [](const TargetedDesign& design) { return key(design); });
   return report;
 }
 

@@ -1,7 +1,5 @@
 #include "studies/tension_distributions.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>

@@ -148,8 +148,7 @@ std::vector<Segment> table_segments(const std::vector<Routing>& routings) {
     const Network network = expand(routing);
     segments.insert(segments.end(), network.segments.begin(), network.segments.end());
   }
-  std::ranges::sort(segments,
-                    [](const Segment& a, const Segment& b) { return order_of(a) < order_of(b); });
+  std::ranges::sort(segments, {}, order_of);
   segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
   return segments;
 }
