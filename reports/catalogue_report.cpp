@@ -1,7 +1,5 @@
 #include "reports/catalogue_report.hpp"
 
-#include <fmt/format.h>
-
 #include "core/notation.hpp"
 #include "core/routing.hpp"
 #include "reports/output/json.hpp"

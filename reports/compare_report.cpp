@@ -99,7 +99,7 @@ Json data_json(const CompareReport& report) {
 // On the data, then on the comparison.
 std::vector<DataNote> all_notes(const CompareReport& report) {
   std::vector<DataNote> notes = report.data.notes;
-  notes.insert(notes.end(), report.comparison.notes.begin(), report.comparison.notes.end());
+  append(notes, report.comparison.notes);
   return notes;
 }
 

@@ -64,7 +64,7 @@ Section samples_section(const ImportReport& report) {
 // On the log, then on what was made of it.
 std::vector<DataNote> all_import_notes(const ImportReport& report) {
   std::vector<DataNote> notes = report.series.notes;
-  notes.insert(notes.end(), report.steady.notes.begin(), report.steady.notes.end());
+  append(notes, report.steady.notes);
   return notes;
 }
 

@@ -1,8 +1,6 @@
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "drawing/chart/chart.hpp"
 #include "reports/data_text.hpp"

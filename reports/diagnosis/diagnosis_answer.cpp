@@ -13,18 +13,26 @@
 namespace reeve::reports {
 namespace {
 
-// Returns the gain on the readings that the causes were fitted to, if nothing was held out.
-std::string fitted_gain_text(const DiagnosisReport& report) {
-  double before = 0, after = 0;
+// "from 1.2 N to 0.3 N": root mean squares of the residuals that are meant.
+template <typename IsMeant>
+std::string fall_text(const DiagnosisReport& report, IsMeant is_meant) {
+  double before = 0, after = 0, cells = 0;
   for (const ComparedCell& cell : report.result.cells) {
+    if (!is_meant(cell)) continue;
     before += std::pow(cell.cell.measured_N - cell.before_N, 2);
     after += std::pow(cell.cell.measured_N - cell.after_N, 2);
+    ++cells;
   }
-  const auto cells = static_cast<double>(report.result.cells.size());
+  return fmt::format("from {} to {}", newton(std::sqrt(before / cells)),
+                     newton(std::sqrt(after / cells)));
+}
+
+// Returns the gain on the readings that the causes were fitted to, if nothing was held out.
+std::string fitted_gain_text(const DiagnosisReport& report) {
   return fmt::format(
       "Nothing was held out, so how much better the model forecasts is not known; on the readings "
-      "that it was fitted to, residuals go from {} to {}.\n",
-      newton(std::sqrt(before / cells)), newton(std::sqrt(after / cells)));
+      "that it was fitted to, residuals go {}.\n",
+      fall_text(report, [](const ComparedCell&) { return true; }));
 }
 
 // Returns how residuals fall on the readings of a run that alone shows a cause. The model was
@@ -33,18 +41,13 @@ std::string only_run_lines(const DiagnosisReport& report) {
   std::string text;
   for (const NamedCause& cause : report.result.causes) {
     if (cause.only_run.empty()) continue;
-    double before = 0, after = 0, cells = 0;
-    for (const ComparedCell& cell : report.result.cells) {
-      if (report.data.runs[report.data.readings[cell.cell.reading].run] != cause.only_run) continue;
-      before += std::pow(cell.cell.measured_N - cell.before_N, 2);
-      after += std::pow(cell.cell.measured_N - cell.after_N, 2);
-      ++cells;
-    }
+    const std::string fall = fall_text(report, [&](const ComparedCell& cell) {
+      return report.data.runs[report.data.readings[cell.cell.reading].run] == cause.only_run;
+    });
     text += fmt::format(
         "Run {} alone shows {}, so a gain on runs that the model has not seen is not known; on run "
-        "{} residuals go from {} to {}.\n",
-        cause.only_run, cause.name, cause.only_run, newton(std::sqrt(before / cells)),
-        newton(std::sqrt(after / cells)));
+        "{} residuals go {}.\n",
+        cause.only_run, cause.name, cause.only_run, fall);
   }
   return text;
 }
@@ -267,20 +270,12 @@ std::string answer(const DiagnosisReport& report) {
 
 // In another unit, or moved the other way, nothing else that is said would hold.
 std::string check_first(const std::vector<DataNote>& notes, NoteKind kind, const char* what) {
-  std::string first;
-  std::size_t more = 0;
-  for (const DataNote& note : notes) {
-    if (note.kind != kind) continue;
-    if (first.empty()) {
-      first = note.text;
-    } else {
-      ++more;
-    }
-  }
-  if (first.empty()) return "";
+  const auto first = std::ranges::find(notes, kind, &DataNote::kind);
+  if (first == notes.end()) return "";
+  const auto more = static_cast<std::size_t>(std::ranges::count(notes, kind, &DataNote::kind)) - 1;
   const std::string rest =
       more == 0 ? "" : fmt::format(" {} below.", plural(more, "more note") + " of the kind");
-  return fmt::format("Check {} first: {}{}\n", what, first, rest);
+  return fmt::format("Check {} first: {}{}\n", what, first->text, rest);
 }
 
 std::string whole_answer(const DiagnosisReport& report) {

@@ -16,8 +16,7 @@ namespace reeve::reports {
 namespace {
 
 const PublishedLine* line_of(const PublishedModel& model, std::size_t group) {
-  const auto found = std::ranges::find_if(
-      model.lines, [&](const PublishedLine& line) { return line.group == group; });
+  const auto found = std::ranges::find(model.lines, group, &PublishedLine::group);
   return found == model.lines.end() ? nullptr : &*found;
 }
 
@@ -43,10 +42,8 @@ void leave_out_grasps(const DiagnosisReport& report, Table& table) {
 }
 
 const NamedCause* find_cause(const DiagnosisReport& report, std::string_view name) {
-  for (const NamedCause& cause : report.result.causes) {
-    if (cause.name == name) return &cause;
-  }
-  return nullptr;
+  const auto found = std::ranges::find(report.result.causes, name, &NamedCause::name);
+  return found == report.result.causes.end() ? nullptr : &*found;
 }
 
 }  // namespace

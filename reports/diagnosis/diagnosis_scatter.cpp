@@ -35,21 +35,23 @@ bool is_assumed(const MountingScatter& scatter, Mounted kind) {
          !is_beyond_belief(scatter, kind) && !scatter.given;
 }
 
-bool is_present(const MountingScatter& scatter) {
-  for (const bool present : scatter.present) {
-    if (present) return true;
+// The scatter of each kind of which that is so, in per cent.
+std::vector<std::string> percents(const MountingScatter& scatter,
+                                  bool (*is_so)(const MountingScatter&, Mounted)) {
+  std::vector<std::string> texts;
+  for (const Mounted kind : all_kinds) {
+    if (is_so(scatter, kind)) texts.push_back(percent_in(scatter, kind));
   }
-  return false;
+  return texts;
+}
+
+bool is_known(const MountingScatter& scatter, Mounted kind) {
+  return scatter.present[static_cast<std::size_t>(kind)] && !is_assumed(scatter, kind);
 }
 
 std::string known_sentence(const DiagnosisResult& result) {
   const MountingScatter& scatter = result.mounting;
-  std::vector<std::string> known;
-  for (const Mounted kind : all_kinds) {
-    if (scatter.present[static_cast<std::size_t>(kind)] && !is_assumed(scatter, kind)) {
-      known.push_back(percent_in(scatter, kind));
-    }
-  }
+  const std::vector<std::string> known = percents(scatter, is_known);
   if (known.empty()) return "";
   const std::string by =
       scatter.given ? "by --mounting-scatter"
@@ -63,10 +65,7 @@ std::string known_sentence(const DiagnosisResult& result) {
 }
 
 std::string assumed_sentence(const MountingScatter& scatter) {
-  std::vector<std::string> assumed;
-  for (const Mounted kind : all_kinds) {
-    if (is_assumed(scatter, kind)) assumed.push_back(percent_in(scatter, kind));
-  }
+  const std::vector<std::string> assumed = percents(scatter, is_assumed);
   if (assumed.empty()) return "";
   return fmt::format(
       "Mounting scatter is assumed: {} ({}). Set it with --mounting-scatter.",
@@ -92,7 +91,6 @@ Json coefficient_json(const CalibratedCoefficient& coefficient) {
 std::vector<std::string> scatter_sentences(const DiagnosisResult& result) {
   std::vector<std::string> sentences;
   if (result.row_scatter) sentences.push_back(row_sentence(result));
-  if (!is_present(result.mounting)) return sentences;
   for (std::string sentence : {known_sentence(result), assumed_sentence(result.mounting)}) {
     if (!sentence.empty()) sentences.push_back(std::move(sentence));
   }
@@ -128,12 +126,7 @@ std::string beyond_belief_sentence(const DiagnosisResult& result) {
         "sensor. Are routings, grasps, directions, units and columns what the file says?",
         100 * result.noise.relative);
   }
-  std::vector<std::string> beyond;
-  for (const Mounted kind : all_kinds) {
-    if (is_beyond_belief(result.mounting, kind)) {
-      beyond.push_back(percent_in(result.mounting, kind));
-    }
-  }
+  const std::vector<std::string> beyond = percents(result.mounting, is_beyond_belief);
   if (beyond.empty()) return "";
   return fmt::format(
       "Check this first: it takes mountings that differ by {}, more than those of any rig in print. "

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "diagnosis/fit/evidence.hpp"
 #include "reports/data_text.hpp"
@@ -17,6 +18,15 @@ constexpr std::size_t most_findings = 6;
 
 void add_sentences(Section& section, const std::vector<std::string>& sentences) {
   for (const std::string& sentence : sentences) section.lines.push_back({sentence});
+}
+
+// A section of no more than so many rows; a line below says how many there are besides.
+Section cut_section(const std::string& title, Table table, std::size_t most) {
+  const std::size_t all = table.rows.size();
+  table.rows.resize(std::min(all, most));
+  Section section{title, std::move(table), {}};
+  if (all > most) section.lines.push_back({fmt::format("… {} more", all - most)});
+  return section;
 }
 
 std::string noise_text(const Noise& noise) {
@@ -86,10 +96,8 @@ Section causes_section(const DiagnosisReport& report) {
                  first ? other : ""});
     }
   }
-  const std::size_t all = table.rows.size();
-  if (all > most_findings) table.rows.resize(most_findings);
-  Section section{"Causes, by the share of the residuals that they explain", table, {}};
-  if (all > most_findings) section.lines.push_back({fmt::format("… {} more", all - most_findings)});
+  Section section = cut_section("Causes, by the share of the residuals that they explain",
+                                std::move(table), most_findings);
   add_sentences(section, influence_sentences(report));
   return section;
 }
@@ -115,17 +123,14 @@ Section weighed_section(const DiagnosisReport& report) {
   Table table{{text_column("model"), number_column("all readings"), number_column("held-out runs"),
                number_column("rms held out")},
               {}};
-  for (std::size_t i = 0; i < weighed.size() && i < most_rows; ++i) {
-    const std::optional<HeldOut>& held_out = weighed[i].held_out;
-    table.add({joined_causes(weighed[i].causes), gain_number(weighed[i].gain),
+  for (const WeighedCauses& model : weighed) {
+    const std::optional<HeldOut>& held_out = model.held_out;
+    table.add({joined_causes(model.causes), gain_number(model.gain),
                held_out ? gain_number(held_out->log_likelihood_gain) : "-",
                held_out ? newton(held_out->rms_after_N) : "-"});
   }
-  Section section{"Compared models: gain in log-likelihood over the nominal model", table, {}};
-  if (weighed.size() > most_rows) {
-    section.lines.push_back({fmt::format("… {} more", weighed.size() - most_rows)});
-  }
-  return section;
+  return cut_section("Compared models: gain in log-likelihood over the nominal model",
+                     std::move(table), most_rows);
 }
 
 Section indistinguishable_section(const DiagnosisReport& report) {
@@ -170,10 +175,8 @@ Section losses_section(const DiagnosisReport& report) {
   constexpr std::size_t most_losses = 24;
   Table table = loss_table(report);
   if (table.rows.empty() || !says_more_than_the_model(report)) return {};
-  const std::size_t all = table.rows.size();
-  if (all > most_losses) table.rows.resize(most_losses);
-  Section section{"Ratio of the tensions from sensor to sensor", table, {}};
-  if (all > most_losses) section.lines.push_back({fmt::format("… {} more", all - most_losses)});
+  Section section =
+      cut_section("Ratio of the tensions from sensor to sensor", std::move(table), most_losses);
   add_sentences(section, loss_sentences(report));
   return section;
 }

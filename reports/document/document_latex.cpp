@@ -232,9 +232,8 @@ std::string tabular(std::vector<LatexColumn> columns, double width_pt) {
 
 // Returns the dispensable column to leave out next.
 std::vector<LatexColumn>::iterator least_wanted(std::vector<LatexColumn>& columns) {
-  return std::ranges::max_element(columns, [](const LatexColumn& a, const LatexColumn& b) {
-    return a.about.dispensable < b.about.dispensable;
-  });
+  return std::ranges::max_element(
+      columns, {}, [](const LatexColumn& column) { return column.about.dispensable; });
 }
 
 std::vector<std::vector<LatexColumn>> parts_of(const std::vector<LatexColumn>& columns,
