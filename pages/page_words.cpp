@@ -16,26 +16,14 @@ std::string objective_title(const ObjectiveRow& row) {
 }
 
 std::string objective_titles(const std::vector<Objective>& objectives) {
-  std::string titles;
-  for (const Objective objective : objectives) {
-    titles += (titles.empty() ? "" : ", ") + objective_title(row(objective));
-  }
-  return titles;
-}
-
-std::string enumeration(const std::vector<std::string>& items) {
-  std::string text;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (i > 0) text += i + 1 == items.size() ? " and " : ", ";
-    text += items[i];
-  }
-  return text;
+  return joined(objectives, ", ",
+                [](Objective objective) { return objective_title(row(objective)); });
 }
 
 std::string titles(const std::vector<Objective>& objectives) {
   std::vector<std::string> names;
   for (const Objective objective : objectives) names.push_back(objective_title(row(objective)));
-  return enumeration(names);
+  return enumerated(names);
 }
 
 std::vector<std::string> sentences_of(const std::vector<DocumentLine>& lines) {

@@ -1,4 +1,4 @@
-// Names of objectives, grasps and routings on a page, and lists in a sentence.
+// Names of objectives, grasps and routings on a page.
 #pragma once
 
 #include <string>
@@ -14,9 +14,6 @@ namespace reeve::pages {
 std::string objective_title(const ObjectiveRow& row);
 // "uniformity mean, efficiency mean"
 std::string objective_titles(const std::vector<Objective>& objectives);
-
-// "a, b and c"
-std::string enumeration(const std::vector<std::string>& items);
 
 // The texts of lines as sentences, with a full stop each.
 std::vector<std::string> sentences_of(const std::vector<DocumentLine>& lines);

@@ -174,18 +174,11 @@ Figure tensions_figure(const std::vector<ShownRouting>& routings, const Labels& 
                        std::size_t grasp, std::size_t most) {
   std::vector<TensionPanel> panels;
   const Grasp held = routings.front().grasps[grasp].grasp;
-  std::string alt = "Bars of strand tensions, " + grasp_words(held) + ".";
   for (std::size_t i = 0; i < routings.size() && i < most; ++i) {
-    const TensionState& state = routings[i].grasps[grasp].state;
-    panels.push_back({labels[i], &routings[i].network, &state});
-    alt += " " + labels[i] + ":";
-    for (const auto& [segment, tension] : strands(routings[i].network, state)) {
-      alt += " " + segment_name(segment) + " " + fixed(tension);
-    }
-    alt += ".";
+    panels.push_back({labels[i], &routings[i].network, &routings[i].grasps[grasp].state});
   }
   chart::Chart chart = tension_chart(panels);
-  chart.alt = alt;
+  chart.alt = "Bars of strand tensions, " + grasp_words(held) + "." + chart.alt;
   return {"tensions-" + grasp_id(held), "Strand tensions, " + grasp_words(held) + ".",
           "At a motor tension of 1; colours tell the fingers apart.", chart_svg(chart)};
 }

@@ -132,22 +132,77 @@ class RankingPageBuilder {
         stems_(file_stems(named(report))),
         command_(command) {}
 
-  PageFiles build();
+  PageFiles build() {
+    const std::string title =
+        fmt::format("Ranking of {} routing{}", labels_.size(), labels_.size() == 1 ? "" : "s");
+    Json values{{"title", title},
+                {"answer", render("ranking_answer.mustache", ranking_answer(report_, labels_))},
+                {"ranking", html(ranking_table(report_, labels_))},
+                {"tradeoff", tradeoff_html(report_.tradeoff)},
+                {"glossary", glossary_html("Front and the objectives: what they mean",
+                                           ranking_glossary(report_))},
+                {"pareto", add(pareto_figure(report_, labels_))},
+                {"distributions", distributions()},
+                {"most", routings_.size() > most_drawn ? std::to_string(most_drawn) : ""}};
+    values["grasps"] = grasps();
+    values["ranks"] =
+        report_.uncertainty ? add(rank_figure(report_, labels_)) + html(bands_table(report_)) : "";
+    values["sweep"] = sweep();
+    values["margins"] =
+        report_.margins && !report_.margins->empty() ? html(margin_table(report_, labels_)) : "";
+    const std::string more = report_.uncertainty ? uncertainty_html(*report_.uncertainty) : "";
+    values["settings"] =
+        settings_html(report_.model, report_.unconverged, report_.grasps, command_, more);
+    page_.html =
+        page_html({title, render("ranking.mustache", values), "ranking.js", Json::object()});
+    return std::move(page_);
+  }
 
  private:
   std::string add(const Figure& figure) {
     page_.figures.push_back(captioned(figure, report_.model));
     return figure_html(figure);
   }
-  // Its coefficients stand in its own caption.
-  std::string add_distribution(const Figure& figure) {
-    page_.figures.push_back({figure.id, figure.svg, figure.title + " " + figure.caption + "\n"});
-    return figure_html(figure);
+
+  // Their coefficients stand in their own captions.
+  std::string distributions() {
+    std::string html;
+    for (const Figure& figure : distribution_figures(report_.details->distributions)) {
+      page_.figures.push_back({figure.id, figure.svg, figure.title + " " + figure.caption + "\n"});
+      html += figure_html(figure);
+    }
+    return html + distribution_notes(report_.details->distributions);
   }
-  std::string distributions();
-  std::string sweep();
-  Json grasp(std::size_t index);
-  Json grasps();
+
+  std::string sweep() {
+    if (!report_.sweep) return "";
+    const std::vector<Figure> figures = sweep_figures(*report_.sweep);
+    for (const Figure& figure : figures) page_.figures.push_back({figure.id, figure.svg});
+    return sweep_html(*report_.sweep, figures);
+  }
+
+  Json grasp(std::size_t index) {
+    const Grasp held = routings_.front().grasps[index].grasp;
+    std::string schematics;
+    for (std::size_t i = 0; i < routings_.size() && i < most_drawn; ++i) {
+      const ShownGrasp& shown = routings_[i].grasps[index];
+      const std::string id =
+          fmt::format("schematic-{}-{}", report_.designs[i].ranked.rank, grasp_id(held));
+      const std::string file = schematic_name(stems_[i], held);
+      schematics += schematic_html(id, routings_[i], shown, file);
+      page_.figures.push_back(schematic_file(file, routings_[i], shown));
+    }
+    return {{"id", grasp_id(held)},
+            {"words", grasp_words(held)},
+            {"schematics", schematics},
+            {"tensions", add(tensions_figure(routings_, labels_, index, most_drawn))}};
+  }
+
+  Json grasps() {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < routings_.front().grasps.size(); ++i) list.push_back(grasp(i));
+    return list;
+  }
 
   const RankReport& report_;
   const std::vector<ShownRouting>& routings_;
@@ -156,69 +211,6 @@ class RankingPageBuilder {
   const std::string& command_;
   PageFiles page_;
 };
-
-std::string RankingPageBuilder::distributions() {
-  std::string html;
-  for (const Figure& figure : distribution_figures(report_.details->distributions)) {
-    html += add_distribution(figure);
-  }
-  return html + distribution_notes(report_.details->distributions);
-}
-
-std::string RankingPageBuilder::sweep() {
-  if (!report_.sweep) return "";
-  const std::vector<Figure> figures = sweep_figures(*report_.sweep);
-  for (const Figure& figure : figures) page_.figures.push_back({figure.id, figure.svg});
-  return sweep_html(*report_.sweep, figures);
-}
-
-Json RankingPageBuilder::grasp(std::size_t index) {
-  const Grasp held = routings_.front().grasps[index].grasp;
-  std::string schematics;
-  for (std::size_t i = 0; i < routings_.size() && i < most_drawn; ++i) {
-    const ShownGrasp& shown = routings_[i].grasps[index];
-    const std::string id =
-        fmt::format("schematic-{}-{}", report_.designs[i].ranked.rank, grasp_id(held));
-    const std::string file = schematic_name(stems_[i], held);
-    schematics += schematic_html(id, routings_[i], shown, file);
-    page_.figures.push_back(schematic_file(file, routings_[i], shown));
-  }
-  return {{"id", grasp_id(held)},
-          {"words", grasp_words(held)},
-          {"schematics", schematics},
-          {"tensions", add(tensions_figure(routings_, labels_, index, most_drawn))}};
-}
-
-Json RankingPageBuilder::grasps() {
-  Json list = Json::array();
-  for (std::size_t i = 0; i < routings_.front().grasps.size(); ++i) list.push_back(grasp(i));
-  return list;
-}
-
-PageFiles RankingPageBuilder::build() {
-  const std::string title =
-      fmt::format("Ranking of {} routing{}", labels_.size(), labels_.size() == 1 ? "" : "s");
-  Json values{{"title", title},
-              {"answer", render("ranking_answer.mustache", ranking_answer(report_, labels_))},
-              {"ranking", html(ranking_table(report_, labels_))},
-              {"tradeoff", tradeoff_html(report_.tradeoff)},
-              {"glossary", glossary_html("Front and the objectives: what they mean",
-                                         ranking_glossary(report_))},
-              {"pareto", add(pareto_figure(report_, labels_))},
-              {"distributions", distributions()},
-              {"most", routings_.size() > most_drawn ? std::to_string(most_drawn) : ""}};
-  values["grasps"] = grasps();
-  values["ranks"] =
-      report_.uncertainty ? add(rank_figure(report_, labels_)) + html(bands_table(report_)) : "";
-  values["sweep"] = sweep();
-  values["margins"] =
-      report_.margins && !report_.margins->empty() ? html(margin_table(report_, labels_)) : "";
-  const std::string more = report_.uncertainty ? uncertainty_html(*report_.uncertainty) : "";
-  values["settings"] =
-      settings_html(report_.model, report_.unconverged, report_.grasps, command_, more);
-  page_.html = page_html({title, render("ranking.mustache", values), "ranking.js", Json::object()});
-  return std::move(page_);
-}
 
 }  // namespace
 

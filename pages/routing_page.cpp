@@ -23,16 +23,8 @@ const char* verb(Direction direction) {
 }
 
 Figure tension_figure(const ShownRouting& report) {
-  std::string alt = "Bars of the strand tensions over the motor tension.";
-  for (const ShownGrasp& shown : report.grasps) {
-    alt += " " + grasp_words(shown.grasp) + ":";
-    for (const auto& [segment, tension] : strands(report.network, shown.state)) {
-      alt += " " + segment_name(segment) + " " + fixed(tension);
-    }
-    alt += ".";
-  }
   chart::Chart chart = tension_chart(report);
-  chart.alt = alt;
+  chart.alt = "Bars of the strand tensions over the motor tension." + chart.alt;
   return {"tensions", "Strand tensions in each grasp",
           "At a motor tension of 1; colours tell the fingers apart.", chart_svg(chart)};
 }

@@ -30,8 +30,7 @@ std::vector<std::pair<Segment, double>> strands(const Network& network, const Te
       result.emplace_back(network.segments[i], state.tension[i]);
     }
   }
-  std::ranges::sort(result,
-                    [](const auto& a, const auto& b) { return a.first.number < b.first.number; });
+  std::ranges::sort(result, {}, [](const auto& strand) { return strand.first.number; });
   return result;
 }
 

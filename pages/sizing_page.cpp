@@ -195,12 +195,61 @@ class SizingPageBuilder {
         stems_(file_stems(
             {{details_.sized.name, details_.sized.word}, {"", details_.sized.word + "-before"}})) {}
 
-  PageFiles build();
+  PageFiles build() {
+    const SizedRouting& best = report_.designs.front();
+    const SizingSections sections = sizing_sections(report_);
+    std::string others;
+    for (std::size_t g = 1; g < details_.sized.grasps.size(); ++g) {
+      others += drawing(details_.sized, g, "sized", stems_[0]);
+    }
+    Json values{
+        {"title", "Dimensions of " + title_of(best)},
+        {"lead", fmt::format("{} is sized for {}: {}.", title_of(best), goal_text(report_.options),
+                             gain_text(report_.options, best.design))},
+        {"opening", line_values(sections.opening)},
+        {"demand", line_values(sections.objectives.lines)},
+        {"summary", summary_html(sections.best)},
+        {"lines", line_values(sections.best.lines)},
+        {"before", drawing(details_.before, 0, "before", stems_[1])},
+        {"sized", drawing(details_.sized, 0, "sized", stems_[0])},
+        {"others", others},
+        {"first_grasp", grasp_words(details_.before.grasps.front().grasp)},
+        {"dimensions",
+         table_html("dimensions-table",
+                    {"Sized dimensions and their tolerances", sections.best.table, {}})},
+        {"ranking", table_html("ranking-table", sections.ranking)},
+        {"shares", table_html("shares-table", sections.shares)},
+        {"objectives", table_html("objectives-table", sections.objectives)}};
+    values["slopes"] = best.design.together ? slope_html(best.design) : "";
+    values["profiles"] = profiles();
+    add_hand_values(details_, values);
+    Model sized = report_.options.nominal;
+    sized.hardware = best.design.hardware;
+    values["settings"] =
+        settings_html(sized, report_.unconverged, report_.options.grasps, command_);
+    page_.html = page_html({values["title"].get<std::string>(), render("sizing.mustache", values),
+                            "", Json::object()});
+    return std::move(page_);
+  }
 
  private:
   std::string drawing(const ShownRouting& shown, std::size_t grasp, const std::string& words,
-                      const std::string& stem);
-  std::string profiles();
+                      const std::string& stem) {
+    const ShownGrasp& in = shown.grasps[grasp];
+    const std::string id = fmt::format("schematic-{}-{}", words, grasp_id(in.grasp));
+    const std::string file = schematic_name(stem, in.grasp);
+    page_.figures.push_back(schematic_file(file, shown, in));
+    return schematic_html(id, shown, in, file);
+  }
+
+  std::string profiles() {
+    if (details_.profiles.empty()) return "";
+    const Figure figure = profile_figure(report_);
+    Model sized = report_.options.nominal;
+    sized.hardware = report_.designs.front().design.hardware;
+    page_.figures.push_back(captioned(figure, sized));
+    return figure_html(figure);
+  }
 
   const SizingReport& report_;
   const SizingDetails& details_;
@@ -208,60 +257,6 @@ class SizingPageBuilder {
   std::vector<std::string> stems_;
   PageFiles page_;
 };
-
-std::string SizingPageBuilder::drawing(const ShownRouting& shown, std::size_t grasp,
-                                       const std::string& words, const std::string& stem) {
-  const ShownGrasp& in = shown.grasps[grasp];
-  const std::string id = fmt::format("schematic-{}-{}", words, grasp_id(in.grasp));
-  const std::string file = schematic_name(stem, in.grasp);
-  page_.figures.push_back(schematic_file(file, shown, in));
-  return schematic_html(id, shown, in, file);
-}
-
-std::string SizingPageBuilder::profiles() {
-  if (details_.profiles.empty()) return "";
-  const Figure figure = profile_figure(report_);
-  Model sized = report_.options.nominal;
-  sized.hardware = report_.designs.front().design.hardware;
-  page_.figures.push_back(captioned(figure, sized));
-  return figure_html(figure);
-}
-
-PageFiles SizingPageBuilder::build() {
-  const SizedRouting& best = report_.designs.front();
-  const SizingSections sections = sizing_sections(report_);
-  std::string others;
-  for (std::size_t g = 1; g < details_.sized.grasps.size(); ++g) {
-    others += drawing(details_.sized, g, "sized", stems_[0]);
-  }
-  Json values{
-      {"title", "Dimensions of " + title_of(best)},
-      {"lead", fmt::format("{} is sized for {}: {}.", title_of(best), goal_text(report_.options),
-                           gain_text(report_.options, best.design))},
-      {"opening", line_values(sections.opening)},
-      {"demand", line_values(sections.objectives.lines)},
-      {"summary", summary_html(sections.best)},
-      {"lines", line_values(sections.best.lines)},
-      {"before", drawing(details_.before, 0, "before", stems_[1])},
-      {"sized", drawing(details_.sized, 0, "sized", stems_[0])},
-      {"others", others},
-      {"first_grasp", grasp_words(details_.before.grasps.front().grasp)},
-      {"dimensions",
-       table_html("dimensions-table",
-                  {"Sized dimensions and their tolerances", sections.best.table, {}})},
-      {"ranking", table_html("ranking-table", sections.ranking)},
-      {"shares", table_html("shares-table", sections.shares)},
-      {"objectives", table_html("objectives-table", sections.objectives)}};
-  values["slopes"] = best.design.together ? slope_html(best.design) : "";
-  values["profiles"] = profiles();
-  add_hand_values(details_, values);
-  Model sized = report_.options.nominal;
-  sized.hardware = best.design.hardware;
-  values["settings"] = settings_html(sized, report_.unconverged, report_.options.grasps, command_);
-  page_.html = page_html(
-      {values["title"].get<std::string>(), render("sizing.mustache", values), "", Json::object()});
-  return std::move(page_);
-}
 
 }  // namespace
 

@@ -10,6 +10,7 @@
 #include "pages/objective_plot.hpp"
 #include "pages/page_words.hpp"
 #include "pages/shell/template.hpp"
+#include "reports/exploration/decision_words.hpp"
 #include "reports/exploration/sweep_report.hpp"
 #include "studies/exploration_study.hpp"
 
@@ -37,8 +38,7 @@ std::vector<SharedCurve> shared_curves(const SweptDesigns& swept, std::size_t ob
   std::vector<SharedCurve> curves;
   for (std::size_t i = 0; i < swept.designs.size(); ++i) {
     const SweepCurve& curve = swept.sweep.designs[i][objective];
-    const ListedDesign& design = swept.designs[i];
-    const std::string& name = design.name.empty() ? design.ranked.design.word : design.name;
+    const std::string name = short_name(swept.designs[i]);
     const auto found = std::ranges::find_if(
         curves, [&](const SharedCurve& other) { return look_alike(*other.curve, curve); });
     if (found != curves.end()) {
@@ -50,20 +50,23 @@ std::vector<SharedCurve> shared_curves(const SweptDesigns& swept, std::size_t ob
   return curves;
 }
 
-chart::Layer ribbon_layer(const SweepCurve& curve, const std::vector<double>& at,
-                          const SharedCurve& shared, chart::Style style) {
+chart::Layer ribbon_layer(const SharedCurve& shared, const std::vector<double>& at,
+                          chart::Style style) {
   chart::Ribbon ribbon{{}, shared.names + "\n5 % to 95 % of the draws"};
-  for (std::size_t k = 0; k < curve.bands.size(); ++k) {
-    ribbon.through.push_back({at[k], curve.bands[k].low, curve.bands[k].high, ""});
+  for (std::size_t k = 0; k < shared.curve->bands.size(); ++k) {
+    const Band& band = shared.curve->bands[k];
+    ribbon.through.push_back({at[k], band.low, band.high, ""});
   }
   style.fill = 0.15;
   return {shared.names, style, chart::Ribbons{{ribbon}}};
 }
 
-chart::Layer line_layer(const SweepCurve& curve, const std::vector<double>& at,
-                        const SharedCurve& shared, chart::Style style) {
+chart::Layer line_layer(const SharedCurve& shared, const std::vector<double>& at,
+                        chart::Style style) {
   chart::Polyline line{{}, shared.names};
-  for (std::size_t k = 0; k < at.size(); ++k) line.through.push_back({at[k], curve.values[k]});
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    line.through.push_back({at[k], shared.curve->values[k]});
+  }
   style.line = 2;
   return {shared.names, style, chart::Paths{{line}}};
 }
@@ -105,11 +108,10 @@ Figure sweep_figure(const SweptDesigns& swept, std::size_t objective) {
   for (std::size_t i = 0; i < curves.size(); ++i) {
     chart::Style style{chart::series_colour(i)};
     if (i >= distinct_colours) style.dash = chart::Dash::dashed;
-    const SweepCurve& curve = *curves[i].curve;
-    if (!curve.bands.empty()) {
-      panel.layers.push_back(ribbon_layer(curve, swept.sweep.at, curves[i], style));
+    if (!curves[i].curve->bands.empty()) {
+      panel.layers.push_back(ribbon_layer(curves[i], swept.sweep.at, style));
     }
-    lines.push_back(line_layer(curve, swept.sweep.at, curves[i], style));
+    lines.push_back(line_layer(curves[i], swept.sweep.at, style));
   }
   for (chart::Layer& line : lines) panel.layers.push_back(std::move(line));
   panel.layers.push_back(crossings(swept));
@@ -142,10 +144,8 @@ std::vector<Figure> sweep_figures(const SweptDesigns& swept) {
 std::string sweep_html(const SweptDesigns& swept, const std::vector<Figure>& figures) {
   if (figures.empty()) return "";
   Json values{{"title", "Over the " + coefficient_title(swept.sweep.over.coefficient)}};
-  values["sentences"] = Json::array();
-  for (const std::string& sentence : lead_sentences(swept)) {
-    values["sentences"].push_back(sentence + ".");
-  }
+  values["sentences"] =
+      list_json(lead_sentences(swept), [](const std::string& sentence) { return sentence + "."; });
   std::string html;
   for (const Figure& figure : figures) html += figure_html(figure);
   values["figures"] = html;

@@ -48,8 +48,12 @@ chart::Chart tension_chart(const std::vector<TensionPanel>& panels) {
     const auto tensions = strands(*given.network, *given.state);
     chart::Panel panel;
     panel.title = given.title;
-    for (const auto& [segment, tension] : tensions)
+    result.alt += " " + given.title + ":";
+    for (const auto& [segment, tension] : tensions) {
       panel.x.categories.push_back(segment_name(segment));
+      result.alt += " " + segment_name(segment) + " " + fixed(tension);
+    }
+    result.alt += ".";
     panel.x.grid = false;
     panel.y.title = "tension over motor tension";
     panel.y.least = 0;

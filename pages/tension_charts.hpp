@@ -18,8 +18,8 @@ struct TensionPanel {
   const TensionState* state = nullptr;
 };
 
-// Panels of equal scale, over the motor tension, without a text that describes them. The networks
-// have strands.
+// Panels of equal scale, over the motor tension. The text that describes them lists the tensions,
+// for its beginning to be put before. The networks have strands.
 chart::Chart tension_chart(const std::vector<TensionPanel>& panels);
 
 // A panel for each grasp.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "drawing/chart/chart.hpp"
 #include "drawing/chart/chart_axis.hpp"

@@ -44,11 +44,9 @@ class Figures {
 
 Json residual_figures(const DiagnosisReport& report, const MarkColumns& columns,
                       const std::vector<ReadingMark>& drawn, Figures& figures) {
-  Json list = Json::array();
-  for (const MarkColumn& column : columns.shown) {
-    list.push_back({{"html", figures.add(residual_figure(report, drawn, column))}});
-  }
-  return list;
+  return list_json(columns.shown, [&](const MarkColumn& column) {
+    return Json{{"html", figures.add(residual_figure(report, drawn, column))}};
+  });
 }
 
 // Adds one figure for each named term that some reading depends on.
@@ -100,9 +98,7 @@ void add_evidence_figures(const DiagnosisReport& report, Json& values, Figures& 
 }
 
 Json sentences(const std::vector<std::string>& list) {
-  Json json = Json::array();
-  for (const std::string& sentence : list) json.push_back({{"text", sentence}});
-  return json;
+  return list_json(list, [](const std::string& sentence) { return Json{{"text", sentence}}; });
 }
 
 // Takes away what is beyond so many grasps, and says how many grasps that were. They come grasp by

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
 
 #include "drawing/chart/chart.hpp"
 #include "drawing/chart/chart_axis.hpp"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
+#include <array>
 
 #include "causes/term.hpp"
 #include "diagnosis/fit/evidence.hpp"
@@ -15,18 +15,14 @@ namespace reeve::pages {
 namespace {
 
 Json sentences(const std::string& text) {
-  Json list = Json::array();
-  std::istringstream in(text);
-  in.exceptions(std::ios::badbit);  // no memory is no end of the text
-  for (std::string line; std::getline(in, line);) {
-    if (!line.empty()) list.push_back({{"text", line}});
-  }
-  return list;
+  std::vector<DocumentLine> lines;
+  add_lines(lines, text);
+  std::erase_if(lines, [](const DocumentLine& line) { return line.text.empty(); });
+  return list_json(lines, [](const DocumentLine& line) { return Json{{"text", line.text}}; });
 }
 
 Json named_values(const DiagnosisReport& report) {
-  Json list = Json::array();
-  for (const NamedCause& cause : report.result.causes) {
+  return list_json(report.result.causes, [&](const NamedCause& cause) {
     const Term* term = term_of(*cause.effect.cause);
     Json item{{"name", cause.name},
               {"meaning", capitalised(cause_meaning(cause))},
@@ -37,9 +33,8 @@ Json named_values(const DiagnosisReport& report) {
                            {"delta", gain_number(cause.runner_up->delta_log_likelihood)},
                            {"as_well", cause.runner_up->delta_log_likelihood < 0.05}};
     }
-    list.push_back(std::move(item));
-  }
-  return list;
+    return item;
+  });
 }
 
 Json limit_values(const DiagnosisResult& result) {
@@ -53,15 +48,9 @@ Json limit_values(const DiagnosisResult& result) {
 }
 
 Json groups(const DiagnosisResult& result) {
-  Json list = Json::array();
-  for (const std::vector<std::string>& names : result.indistinguishable) {
-    list.push_back({{"names", names}});
-  }
-  return list;
-}
-
-std::string joined(const std::vector<std::string>& parts) {
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return list_json(result.indistinguishable, [](const std::vector<std::string>& names) {
+    return Json{{"names", names}};
+  });
 }
 
 // Header and one row, the measured cells empty.
@@ -88,19 +77,11 @@ std::string rows_to_record(const PlannedMeasurement& planned) {
 }
 
 const char* source_text(NoiseSource source) {
-  switch (source) {
-    case NoiseSource::repeats:
-      return "from repeated readings";
-    case NoiseSource::smoothing:
-      return "from what no smooth law explains";
-    case NoiseSource::repeats_and_smoothing:
-      return "from repeated readings and from what no smooth law explains";
-    case NoiseSource::known:
-      return "as told";
-    case NoiseSource::residuals:
-      return "from the residuals";
-  }
-  return "";
+  // In the order of NoiseSource.
+  constexpr std::array texts{"from repeated readings", "from what no smooth law explains",
+                             "from repeated readings and from what no smooth law explains",
+                             "from the residuals", "as told"};
+  return texts.at(static_cast<std::size_t>(source));
 }
 
 }  // namespace
@@ -129,7 +110,7 @@ Json cause_values(const DiagnosisReport& report) {
           {"weighed", weighed_table(result)},
           {"has_weighed", !result.weighed.empty()},
           {"limit", limit_values(result)},
-          {"not_confirmed", joined(result.not_confirmed)},
+          {"not_confirmed", fmt::format("{}", fmt::join(result.not_confirmed, ", "))},
           {"groups", groups(result)},
           {"has_groups", !result.indistinguishable.empty()},
           {"margin", fmt::format("{:.2g}", least_evidence)},
@@ -139,8 +120,8 @@ Json cause_values(const DiagnosisReport& report) {
 Json structure_values(const DiagnosisReport& report, const MarkColumns& columns) {
   const DiagnosisResult& result = report.result;
   return {{"findings", structure_table(report)},
-          {"missing", joined(columns.missing)},
-          {"constant", joined(columns.constant)},
+          {"missing", fmt::format("{}", fmt::join(columns.missing, ", "))},
+          {"constant", fmt::format("{}", fmt::join(columns.constant, ", "))},
           {"not_drawn",
            columns.not_drawn == 0 ? "" : plural(columns.not_drawn, "further unknown column")},
           {"extended", !result.causes.empty()}};

@@ -125,14 +125,10 @@ std::vector<AdvisedDesign> advised_designs(const ExploreReport& report) {
 Json tradeoff_marks(const ExploreReport& report) {
   const std::vector<ListedDesign>& listed = listed_designs(report);
   const ListedTradeoff& tradeoff = report.tradeoff;
-  Json named = Json::array();
-  for (const ListedDesign* design : named_designs(report)) {
-    named.push_back(design->ranked.design.word);
-  }
-  Json advised = Json::array();
-  for (const AdvisedDesign& design : advised_designs(report)) {
-    advised.push_back({{"word", design.word}, {"label", design.label}});
-  }
+  Json advised = list_json(advised_designs(report), [](const AdvisedDesign& design) {
+    return Json{{"word", design.word}, {"label", design.label}};
+  });
+  Json named = list_json(named_designs(report), word_or_null);
   return {{"first", word_or_null(listed.empty() ? nullptr : &listed.front())},
           {"affordable", word_or_null(tradeoff.affordable ? &*tradeoff.affordable : nullptr)},
           {"knee", word_or_null(knee(tradeoff))},

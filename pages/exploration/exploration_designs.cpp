@@ -27,17 +27,15 @@ Json rounded(double value) {
 }
 
 Json values_column(const std::vector<PageDesign>& designs, std::size_t objective) {
-  Json column = Json::array();
-  for (const PageDesign& design : designs) column.push_back(rounded(design.values[objective]));
-  return column;
+  return list_json(designs,
+                   [&](const PageDesign& design) { return rounded(design.values[objective]); });
 }
 
 Json distribution_column(const std::vector<PageDesign>& designs, double RankDistribution::*part) {
-  Json column = Json::array();
-  for (const PageDesign& design : designs) {
-    column.push_back(design.distribution ? rounded((*design.distribution).*part) : Json(nullptr));
-  }
-  return column;
+  return list_json(designs, [&](const PageDesign& design) {
+    return value_or_null(design.distribution,
+                         [&](const RankDistribution& drawn) { return rounded(drawn.*part); });
+  });
 }
 
 std::set<std::string> known_words(const ExploreReport& report) {
@@ -51,12 +49,10 @@ std::set<std::string> known_words(const ExploreReport& report) {
 Json same_as_column(const std::vector<PageDesign>& designs) {
   std::unordered_map<std::string_view, std::size_t> places(designs.size());
   for (std::size_t i = 0; i < designs.size(); ++i) places.emplace(designs[i].word, i);
-  Json column = Json::array();
-  for (const PageDesign& design : designs) {
+  return list_json(designs, [&](const PageDesign& design) {
     const auto found = design.same_as.empty() ? places.end() : places.find(design.same_as);
-    column.push_back(found == places.end() ? -1 : static_cast<int>(found->second));
-  }
-  return column;
+    return found == places.end() ? -1 : static_cast<int>(found->second);
+  });
 }
 
 std::vector<std::string_view> words_of_others(const ExploreReport& report) {
@@ -189,10 +185,9 @@ Json design_columns(const std::vector<PageDesign>& designs, const std::vector<Ob
   distribution["low"] = distribution_column(designs, &RankDistribution::low);
   distribution["high"] = distribution_column(designs, &RankDistribution::high);
   if (!designs.front().constraints_met) return columns;
-  distribution["constraints_met"] = Json::array();
-  for (const PageDesign& design : designs) {
-    distribution["constraints_met"].push_back(value_or_null(design.constraints_met, rounded));
-  }
+  distribution["constraints_met"] = list_json(designs, [](const PageDesign& design) {
+    return value_or_null(design.constraints_met, rounded);
+  });
   return columns;
 }
 
@@ -216,20 +211,17 @@ Json band_columns(const std::vector<PageDesign>& designs, const std::vector<Obje
 }
 
 Json objectives_json(const std::vector<Objective>& shown, const std::string& cost_unit) {
-  Json list = Json::array();
-  for (const Objective objective : shown) {
+  return list_json(shown, [&](Objective objective) {
     const ObjectiveRow& row = search::row(objective);
-    list.push_back(
-        {{"name", row.name},
-         {"title", objective_title(row)},
-         {"unit", objective == Objective::cost && !cost_unit.empty() ? cost_unit : row.unit},
-         {"better", row.better == Better::higher ? "higher" : "lower"},
-         {"least", value_or_null(row.least, number)},
-         {"greatest", value_or_null(row.greatest, number)},
-         {"count", row.is_count()},
-         {"meaning", row.meaning}});
-  }
-  return list;
+    return Json{{"name", row.name},
+                {"title", objective_title(row)},
+                {"unit", objective == Objective::cost && !cost_unit.empty() ? cost_unit : row.unit},
+                {"better", row.better == Better::higher ? "higher" : "lower"},
+                {"least", value_or_null(row.least, number)},
+                {"greatest", value_or_null(row.greatest, number)},
+                {"count", row.is_count()},
+                {"meaning", row.meaning}};
+  });
 }
 
 }  // namespace reeve::pages

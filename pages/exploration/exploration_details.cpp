@@ -70,12 +70,9 @@ std::string placed_svg(const SolvedRouting& report, const Places& places, std::s
 
 Json grasp_json(const SolvedRouting& report, std::size_t grasp) {
   const ShownGrasp& shown = report.grasps[grasp];
-  Json json{{"held", to_text(shown.grasp)}, {"jams", shown.state.jams}};
-  json["tensions"] = Json::array();
-  for (const double tension : shown.state.tension) {
-    json["tensions"].push_back(three_decimals(tension));
-  }
-  return json;
+  return {{"held", to_text(shown.grasp)},
+          {"jams", shown.state.jams},
+          {"tensions", list_json(shown.state.tension, three_decimals)}};
 }
 
 Json design_json(const SolvedRouting& report, bool whole, Lines& lines) {
@@ -95,11 +92,9 @@ Json design_json(const SolvedRouting& report, bool whole, Lines& lines) {
     if (whole || i == 0) grasp["schematic"] = lines.add(placed_svg(report, places, i, "schematic"));
     json["grasps"].push_back(std::move(grasp));
   }
-  json["contacts"] = Json::array();
-  for (const ShownContact& contact : shown_contacts(report)) {
-    json["contacts"].push_back(
-        {{"between", contact.between}, {"kind", contact.kind}, {"slides", contact.slides}});
-  }
+  json["contacts"] = list_json(shown_contacts(report), [](const ShownContact& contact) {
+    return Json{{"between", contact.between}, {"kind", contact.kind}, {"slides", contact.slides}};
+  });
   return json;
 }
 
@@ -110,14 +105,13 @@ struct Chunk {
 
 Json packed(const Chunk& chunk, const SolveDesign& solve) {
   Lines lines;
-  Json words = Json::array();
-  Json designs = Json::array();
-  for (const Routing* routing : chunk.routings) {
-    words.push_back(to_word(*routing));
-    designs.push_back(design_json(solve(*routing), chunk.whole, lines));
-  }
+  const Json designs = list_json(chunk.routings, [&](const Routing* routing) {
+    return design_json(solve(*routing), chunk.whole, lines);
+  });
   const std::string values = designs.dump(-1, ' ', false, Json::error_handler_t::replace);
-  return {{"words", words}, {"pack", compressed(values + "\n" + lines.text())}};
+  return {{"words",
+           list_json(chunk.routings, [](const Routing* routing) { return to_word(*routing); })},
+          {"pack", compressed(values + "\n" + lines.text())}};
 }
 
 // A chunk holds no more than that, and either whole designs or others.

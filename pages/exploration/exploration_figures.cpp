@@ -282,8 +282,7 @@ ParetoPanel pareto_panel(const std::vector<PageDesign>& designs,
   append(panel.layers, point_layers(designs, drawn, axes));
   chart::Points rings;
   for (const AdvisedDesign& design : advised) {
-    const auto found = std::ranges::find_if(
-        designs, [&](const PageDesign& each) { return each.word == design.word; });
+    const auto found = std::ranges::find(designs, design.word, &PageDesign::word);
     if (found == designs.end()) continue;
     const Point at = spot(*found, axes);
     rings.spots.push_back({at.x, at.y, title(*found, axes, 1), design.label});

@@ -30,11 +30,9 @@ constexpr std::size_t schematics_of_the_front = 3;
 // Places of what is ranked by among the objectives that are shown.
 Json ranking_json(const ExploreReport& report) {
   const std::vector<Objective> objectives = page_objectives(report);
-  Json list = Json::array();
-  for (const Objective objective : report.options.order.objectives) {
-    list.push_back(std::ranges::find(objectives, objective) - objectives.begin());
-  }
-  return list;
+  return list_json(report.options.order.objectives, [&](Objective objective) {
+    return std::ranges::find(objectives, objective) - objectives.begin();
+  });
 }
 
 // Returns the chart specifications that the page's script fills with data.
@@ -87,6 +85,14 @@ struct ExploredSchematic {
 };
 
 // In the first grasp.
+ExploredSchematic schematic(const SolvedRouting& routing, const std::string& stem,
+                            const std::string& id) {
+  const ShownGrasp& shown = routing.grasps.front();
+  const std::string svg = grasp_svg(routing, 0, id);
+  const std::string file = schematic_name(stem, shown.grasp);
+  return {schematic_html(id, svg, file), {file, svg, schematic_caption(routing, shown)}};
+}
+
 std::vector<ExploredSchematic> schematics(const ExplorationView& view) {
   std::vector<SolvedRouting> routings;
   std::vector<NamedRouting> named;
@@ -97,12 +103,7 @@ std::vector<ExploredSchematic> schematics(const ExplorationView& view) {
   const std::vector<std::string> stems = file_stems(named);
   std::vector<ExploredSchematic> result;
   for (std::size_t i = 0; i < routings.size(); ++i) {
-    const ShownGrasp& shown = routings[i].grasps.front();
-    const std::string id = schematic_id(routings[i].word);
-    const std::string svg = grasp_svg(routings[i], 0, id);
-    const std::string file = schematic_name(stems[i], shown.grasp);
-    result.push_back(
-        {schematic_html(id, svg, file), {file, svg, schematic_caption(routings[i], shown)}});
+    result.push_back(schematic(routings[i], stems[i], schematic_id(routings[i].word)));
   }
   return result;
 }
@@ -111,21 +112,13 @@ std::vector<ExploredSchematic> schematics(const ExplorationView& view) {
 std::optional<ExploredSchematic> jammed_schematic(const ExploreReport& report) {
   if (!report.jammed_first) return std::nullopt;
   const SolvedRouting& first = *report.jammed_first;
-  const ShownGrasp& shown = first.grasps.front();
-  const std::string id = "schematic-jammed";
-  const std::string svg = grasp_svg(first, 0, id);
-  const std::string stem = file_stems({{first.name, first.word}}).front();
-  const std::string file = schematic_name(stem, shown.grasp);
-  return ExploredSchematic{schematic_html(id, svg, file),
-                           {file, svg, schematic_caption(first, shown)}};
+  return schematic(first, file_stems({{first.name, first.word}}).front(), "schematic-jammed");
 }
 
 std::string held_flags(const GraspSet& grasps, int fingers) {
   const GraspSet usual = single_grasps(fingers);
-  const auto same = [](const WeightedGrasp& a, const WeightedGrasp& b) {
-    return a.grasp == b.grasp;
-  };
-  if (std::equal(grasps.begin(), grasps.end(), usual.begin(), usual.end(), same)) return "";
+  if (std::ranges::equal(grasps, usual, {}, &WeightedGrasp::grasp, &WeightedGrasp::grasp))
+    return "";
   std::string flags;
   for (const WeightedGrasp& grasp : grasps) flags += " --held " + to_text(grasp.grasp);
   return flags;
@@ -133,11 +126,10 @@ std::string held_flags(const GraspSet& grasps, int fingers) {
 
 Json commands(const ExplorationView& view) {
   const ExploreOptions& options = view.report.options;
-  Json held = Json::array();
-  for (const WeightedGrasp& grasp : options.grasps) held.push_back(to_text(grasp.grasp));
+  const auto held = [](const WeightedGrasp& grasp) { return to_text(grasp.grasp); };
   return {{"show", "reeve show"},
           {"held", held_flags(options.grasps, options.generator.fingers)},
-          {"one", held},
+          {"one", list_json(options.grasps, held)},
           {"options", view.show_options}};
 }
 

@@ -79,9 +79,9 @@ Json static_tables(const ExploreReport& report) {
   for (std::size_t i = 0; i < listed.size() && json["rows"].size() < shown; ++i) {
     if (listed[i].same_as.empty()) json["rows"].push_back(design_row(listed[i], objectives));
   }
-  for (const SingleBest& best : single_bests(report)) {
-    json["bests"].push_back(best_json(best, listed.front(), unit));
-  }
+  json["bests"] = list_json(single_bests(report), [&](const SingleBest& best) {
+    return best_json(best, listed.front(), unit);
+  });
   json["uncertain"] = !listed.empty() && listed.front().distribution.has_value();
   json["constrained"] = !listed.empty() && listed.front().constraints_met.has_value();
   json["has_bests"] = !json["bests"].empty();

@@ -17,10 +17,6 @@
 namespace reeve::pages {
 namespace {
 
-std::string short_label(const ListedDesign& design) {
-  return design.name.empty() ? design.ranked.design.word : design.name;
-}
-
 double get(const ListedDesign& design, Objective objective) {
   return value(design.ranked.design.values, objective);
 }
@@ -30,7 +26,7 @@ std::string values_text(const ObjectiveValues& values, const std::vector<Objecti
   for (const Objective objective : objectives) {
     texts.push_back(objective_title(row(objective)) + " " + four_digits(value(values, objective)));
   }
-  return enumeration(texts);
+  return enumerated(texts);
 }
 
 // ", with 4 sheaths and 1 knot": the parts that the ranking does not count, which stand elsewhere.
@@ -46,7 +42,7 @@ std::string with_parts(const ListedDesign& design, const std::vector<Objective>&
     if (objective == Objective::blocks && get(design, objective) == 0) continue;
     texts.push_back(plural(static_cast<std::uint64_t>(get(design, objective)), noun));
   }
-  return texts.empty() ? "" : ", with " + enumeration(texts);
+  return texts.empty() ? "" : ", with " + enumerated(texts);
 }
 
 // Names the rule of the ranking that puts the first before the second of its front.
@@ -95,7 +91,7 @@ std::string next_text(const ExploreReport& report, const ListedDesign& first,
     return fmt::format("{}, which equals it in these{}.", text,
                        with_parts(second, report.options.order.objectives));
   }
-  return fmt::format("{}: {}{}.", text, enumeration(differences),
+  return fmt::format("{}: {}{}.", text, enumerated(differences),
                      with_parts(second, report.options.order.objectives));
 }
 
@@ -156,8 +152,7 @@ std::string draws_text(const ExploreReport& report, const std::vector<ListedDesi
   const auto share = [](const ListedDesign& design) {
     return design.distribution ? design.distribution->first : 0;
   };
-  const ListedDesign& most = *std::ranges::max_element(
-      listed, [&](const ListedDesign& a, const ListedDesign& b) { return share(a) < share(b); });
+  const ListedDesign& most = *std::ranges::max_element(listed, {}, share);
   std::string text = fmt::format(
       "With friction coefficients drawn {} times from their ranges, {} stays first in {} of "
       "the draws.",
@@ -189,17 +184,17 @@ std::vector<std::string> changes(const ExploreReport& report) {
     if (&best.design == &listed[0]) {
       stays.push_back(title);
     } else {
-      changed.push_back(fmt::format("{} ({})", title, short_label(best.design)));
+      changed.push_back(fmt::format("{} ({})", title, short_name(best.design)));
     }
   }
   std::vector<std::string> text;
   if (!changed.empty()) {
     text.push_back("Another of the listed designs comes first if nothing counts but " +
-                   enumeration(changed) + ".");
+                   enumerated(changed) + ".");
   }
   if (!stays.empty()) {
     text.push_back(fmt::format("{} stays first, or equal to the first, by {}.",
-                               design_name(listed[0]), enumeration(stays)));
+                               design_name(listed[0]), enumerated(stays)));
   }
   if (listed.size() < ranked_designs(report)) {
     text.push_back(fmt::format(

@@ -52,9 +52,9 @@ std::vector<GlossaryTerm> objective_terms(const std::vector<Objective>& objectiv
 }
 
 std::string glossary_html(const std::string& about, const std::vector<GlossaryTerm>& terms) {
-  Json list = Json::array();
-  for (const GlossaryTerm& term : terms)
-    list.push_back({{"word", term.word}, {"meaning", term.meaning}});
+  const Json list = list_json(terms, [](const GlossaryTerm& term) {
+    return Json{{"word", term.word}, {"meaning", term.meaning}};
+  });
   return render("glossary.mustache", {{"about", about}, {"terms", list}});
 }
 
