@@ -8,7 +8,6 @@
 #include "pages/exploration/exploration_page.hpp"
 #include "pages/shell/result_files.hpp"
 #include "reports/exploration/design_list.hpp"
-#include "reports/exploration/explore_report.hpp"
 #include "reports/exploration/shard_file.hpp"
 #include "reports/exploration/sweep_report.hpp"
 #include "reports/exploration/tradeoff_report.hpp"
@@ -52,7 +51,7 @@ void write_exploration(const ExploreReport& report, const CLI::App& command,
                        const std::filesystem::path& directory) {
   const std::string reason = partial_note(report);
   const std::string note = reason.empty() ? "" : "partial: " + reason;
-  StageLine stage;
+  StatusLine stage;
   if (std::min(details.value_or(0), report.top.size()) >= long_list) stage.show("writing the page");
   PageFiles page = exploration_page(view(report, command, catalogue, details));
   ResultFiles result;

@@ -1,7 +1,6 @@
 #include "cli/supervision.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +9,6 @@
 #include <cstdint>
 #include <ctime>
 #include <iostream>
-#include <utility>
 
 #include "search/explore.hpp"
 
@@ -89,14 +87,6 @@ bool is_ignored(int signal) {
   return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
-// In place of the line that stands there. One column stays free: a full line moves some terminals
-// on to the next.
-void show_line(const std::string& text, std::size_t width) {
-  std::cerr << '\r' << text.substr(0, width - 1) << "\x1b[K" << std::flush;
-}
-
-void wipe_line() { std::cerr << "\r\x1b[K" << std::flush; }
-
 }  // namespace
 
 const std::atomic<bool>& stop_on_interrupt() {
@@ -116,33 +106,31 @@ void leave_interrupts_to_others() {
   for (const int signal : {SIGINT, SIGUSR1, SIGHUP}) std::signal(signal, SIG_IGN);
 }
 
-ProgressLine::ProgressLine(std::string what)
-    : what_(std::move(what)), terminal_(terminal(STDERR_FILENO)) {}
-
-ProgressLine::~ProgressLine() {
-  if (printed_) wipe_line();
-}
-
-void ProgressLine::operator()(const Progress& progress) {
-  constexpr auto pause = std::chrono::milliseconds(200);
-  const Clock::time_point now = Clock::now();
-  if (!terminal_.obeys_codes || now - last_ < pause || progress.total == 0) return;
-  last_ = now;
-  printed_ = true;
-  const double seconds = std::chrono::duration<double>(now - start_).count();
-  show_line(progress_bar(what_, progress, seconds, terminal_.width - 1), terminal_.width);
-}
-
-StageLine::StageLine() : terminal_(terminal(STDERR_FILENO)) {}
-
-StageLine::~StageLine() {
-  if (!shown_.empty()) wipe_line();
-}
-
-void StageLine::show(const std::string& stage) {
+// In place of the line that stands there. One column stays free: a full line moves some terminals
+// on to the next.
+void StatusLine::show(const std::string& stage) {
   if (!terminal_.obeys_codes || stage == shown_) return;
   shown_ = stage;
-  show_line(stage, terminal_.width);
+  std::cerr << '\r' << stage.substr(0, terminal_.width - 1) << "\x1b[K" << std::flush;
+}
+
+void StatusLine::operator()(const std::string& stage, const Progress& progress) {
+  constexpr auto pause = std::chrono::milliseconds(200);
+  const Clock::time_point now = Clock::now();
+  if (stage != stage_) {
+    wipe();
+    stage_ = stage;
+    start_ = last_ = now;
+  }
+  if (!terminal_.obeys_codes || now - last_ < pause || progress.total == 0) return;
+  last_ = now;
+  const double seconds = std::chrono::duration<double>(now - start_).count();
+  show(progress_bar(stage, progress, seconds, terminal_.width - 1));
+}
+
+void StatusLine::wipe() {
+  if (!shown_.empty()) std::cerr << "\r\x1b[K" << std::flush;
+  shown_.clear();
 }
 
 }  // namespace reeve::cli

@@ -1,10 +1,11 @@
 // Long work: Ctrl-C and a progress line.
 #pragma once
 
+#include <unistd.h>
+
 #include <atomic>
 #include <chrono>
 #include <functional>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -30,62 +31,36 @@ const std::atomic<bool>& was_terminated();
 // Ctrl-C, SIGHUP and SIGUSR1 are for somebody else.
 void leave_interrupts_to_others();
 
-// A bar, share done, rate and time left on stderr; silent where stderr is no terminal.
-class ProgressLine {
+// A line on stderr about what is being done; silent where stderr is no terminal.
+class StatusLine {
  public:
-  explicit ProgressLine(std::string what);
-  ~ProgressLine();
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
+  StatusLine() = default;
+  ~StatusLine() { wipe(); }
+  StatusLine(const StatusLine&) = delete;
+  StatusLine& operator=(const StatusLine&) = delete;
 
-  void operator()(const Progress& progress);
+  // The present stage, if its duration is not known.
+  void show(const std::string& stage);
+  // A bar, share done, rate and time left.
+  void operator()(const std::string& stage, const Progress& progress);
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  std::string what_;
-  Terminal terminal_;
-  bool printed_ = false;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_ = start_;
-};
+  void wipe();
 
-// A progress line for each stage of a study.
-class StagedProgress {
- public:
-  void operator()(const std::string& stage, const Progress& progress) {
-    if (stage != stage_) {
-      line_.emplace(stage);
-      stage_ = stage;
-    }
-    (*line_)(progress);
-  }
-
- private:
+  Terminal terminal_ = terminal(STDERR_FILENO);
+  std::string shown_;
   std::string stage_;
-  std::optional<ProgressLine> line_;
+  Clock::time_point start_;
+  Clock::time_point last_;
 };
 
 // Runs a study with a progress line for each of its stages; Ctrl-C asks it to stop.
 template <typename Study>
 auto supervised(Study study) {
-  StagedProgress progress;
+  StatusLine progress;
   return study({std::ref(progress), &stop_on_interrupt()});
 }
-
-// Shows the present stage on stderr, if its duration is not known; silent if stderr is no terminal.
-class StageLine {
- public:
-  StageLine();
-  ~StageLine();
-  StageLine(const StageLine&) = delete;
-  StageLine& operator=(const StageLine&) = delete;
-
-  void show(const std::string& stage);
-
- private:
-  Terminal terminal_;
-  std::string shown_;
-};
 
 }  // namespace reeve::cli

@@ -120,7 +120,7 @@ std::optional<DiagnosisReport> report(const DiagnoseFlags& flags, const Catalogu
 
 DiagnosisReport watched_report(const DiagnoseFlags& flags, const Catalogue& catalogue) {
   const std::atomic<bool>& stop = stop_on_interrupt();
-  StageLine line;
+  StatusLine line;
   auto result = report(
       flags, catalogue, [&](const char* stage) { line.show(stage); }, &stop);
   if (!result) throw Interrupted();

@@ -169,7 +169,7 @@ std::vector<Segment> all_channels(const std::vector<PlannedRouting>& routings, b
       if (!strands_only || segment.kind == SegmentKind::strand) channels.push_back(segment);
     }
   }
-  std::ranges::sort(channels, [&](const Segment& a, const Segment& b) { return key(a) < key(b); });
+  std::ranges::sort(channels, {}, key);
   channels.erase(std::unique(channels.begin(), channels.end(),
                              [&](const Segment& a, const Segment& b) { return key(a) == key(b); }),
                  channels.end());

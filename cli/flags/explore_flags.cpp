@@ -6,7 +6,6 @@
 
 #include "cli/command_line.hpp"
 #include "cli/hand_inputs.hpp"
-#include "cli/inputs.hpp"
 #include "cli/printing.hpp"
 #include "core/error.hpp"
 #include "reports/exploration/store_description.hpp"
