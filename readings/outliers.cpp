@@ -102,14 +102,16 @@ void add_far_cells(const KindCells& cells, std::size_t motor, const HeldValues& 
   for (auto& [channel, spread] : spreads) {
     if (spread.logs.size() < least_rows) continue;
     const double step_N = outlier_steps * least_step(spread.readings);
+    const double usual_log = median(spread.logs);
+    const double usual_N = median(spread.newtons);
     for (const KindCell& cell : cells) {
       const double expected_N = levels.expected_N(cell);
       if (cell.channel != channel || !(expected_N > 0)) continue;
       const bool is_held = held.has(cell);
       const double deviations = is_held ? held_deviations : outlier_deviations;
-      const double log_bound = std::max(std::log(is_held ? held_factor : outlier_factor),
-                                        deviations * median(spread.logs));
-      const double newton_bound = std::max(deviations * median(spread.newtons), step_N);
+      const double log_bound =
+          std::max(std::log(is_held ? held_factor : outlier_factor), deviations * usual_log);
+      const double newton_bound = std::max(deviations * usual_N, step_N);
       // A cell below zero is far only if its size is too large: a drifting zero is no slip.
       const double off = std::log(std::abs(cell.value_N) / expected_N);
       const bool is_far = cell.value_N > 0 ? std::abs(off) > log_bound : off > log_bound;
