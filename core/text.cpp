@@ -93,7 +93,10 @@ std::optional<double> number_in(std::string_view text) {
 std::optional<int> whole_number_in(std::string_view text) { return read_whole<int>(text); }
 
 std::string fixed(double value, int decimals) {
-  return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "-";
+  if (!std::isfinite(value)) return "-";
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  const bool is_zero = text.find_first_of("123456789") == std::string::npos;
+  return is_zero && text.starts_with('-') ? text.substr(1) : text;
 }
 
 }  // namespace reeve::core

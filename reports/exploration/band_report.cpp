@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "core/text.hpp"
 #include "reports/exploration/decision_words.hpp"
@@ -175,7 +178,7 @@ Section band_section(const std::vector<ListedDesign>& shown, const Order& order,
 }
 
 std::vector<DocumentLine> shared_first_lines(const std::vector<ListedDesign>& designs) {
-  std::vector<std::string> names;
+  std::vector<std::string> names, words;
   bool only_equivalent = true;
   for (const ListedDesign& design : designs) {
     if (design.place != 1) continue;
@@ -183,7 +186,10 @@ std::vector<DocumentLine> shared_first_lines(const std::vector<ListedDesign>& de
     only_equivalent =
         only_equivalent && (design.ranked.design.word == first || design.same_as == first);
     names.push_back(short_name(design));
+    words.push_back(design.ranked.design.word);
   }
+  // Several words may be of one known routing.
+  if (std::set<std::string>(names.begin(), names.end()).size() < names.size()) names = words;
   const bool drawn = !designs.empty() && designs.front().distribution.has_value();
   if (names.size() < 2 || (only_equivalent && !drawn)) return {};
   std::string text = "Equal in all ranked objectives: " + enumerated(names, " and ", sharers_named);
