@@ -108,6 +108,8 @@ std::string no_pull_words(NoPull no_pull, int motors) {
   switch (no_pull) {
     case NoPull::blocked:
       break;
+    case NoPull::opposed:
+      return "its extensor pulls back as hard as its flexor pulls";
     case NoPull::blocked_at_springs:
       return blocked + ", if springs in series do not stretch";
     case NoPull::ends_locked:
@@ -133,8 +135,8 @@ std::string slack_text(const ShownHand& hand) {
 void add_force_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
   const MotorDemand& demand = hand.demand;
   if (!std::isfinite(demand.force_N)) {
-    lines.push_back({fmt::format("No motor force is enough: with held {} finger {} hangs on slack "
-                                 "strands, since {}",
+    lines.push_back({fmt::format("No motor force is enough: with held {} finger {} gets no pull, "
+                                 "since {}",
                                  to_text(demand.grasp), demand.weakest,
                                  no_pull_words(demand.no_pull, hand.motors)),
                      true});
@@ -194,10 +196,11 @@ void add_motion_lines(const ShownHand& hand, std::vector<DocumentLine>& lines) {
   }
   if (!std::isfinite(demand.force_N)) return;
   lines.push_back(
-      {fmt::format("Work at most {:.3g} J{}, of which the springs keep {:.3g} J{}{}; power at "
-                   "most {:.3g} W",
-                   demand.work_J, unstretched(hand), demand.springs_J, series_text(demand),
-                   rest_text(demand, hand.motors), demand.power_W)});
+      {fmt::format("Work at most {:.3g} J{}, {} {:.3g} J{}{}; power at most {:.3g} W",
+                   demand.work_J, unstretched(hand),
+                   demand.springs_J < 0 ? "to which the springs add" : "of which the springs keep",
+                   std::abs(demand.springs_J), series_text(demand), rest_text(demand, hand.motors),
+                   demand.power_W)});
   if (!demand.torque_Nm) return;
   lines.push_back({fmt::format("At a spool radius of {:.4g} mm: {:.3g} N m, {:.3g} rpm",
                                *hand.motor.spool_radius_mm, *demand.torque_Nm, *demand.spool_rpm)});

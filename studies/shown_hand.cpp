@@ -103,6 +103,10 @@ NoPull no_pull(const Network& network, const Mechanics& mechanics, const TendonP
   if (all_locked) return NoPull::ends_locked;
   if (all_still) return NoPull::ends_stand_still;
   if (taut_share(network, *own, mechanics, grasp) == 0) return NoPull::still_slack;
+  const bool has_extensor = std::ranges::any_of(network.segments, [&](const Segment& segment) {
+    return segment.kind == SegmentKind::strand && segment.finger == finger && segment.way() < 0;
+  });
+  if (has_extensor) return NoPull::opposed;
   return is_blocked_at_springs(network, mechanics, tendons, grasp) ? NoPull::blocked_at_springs
                                                                    : NoPull::blocked;
 }

@@ -113,9 +113,10 @@ struct ShownHandFinger {
   double closed = 0;  // share of its range at the end of the stroke
 };
 
-// Why no motor pulls the strands of a finger.
+// Why no motor pulls a finger.
 enum class NoPull : std::uint8_t {
   blocked,
+  opposed,  // by its extensor
   blocked_at_springs,
   ends_locked,
   ends_stand_still,

@@ -257,7 +257,7 @@ TEST(InfeasibleLines, SayTheLeastOrTheGreatest) {
             "No design meets sheaths==9: the nearest is 4\n");
 }
 
-// No motor force is enough for a finger that hangs on slack strands.
+// No motor force is enough for a finger that gets no pull.
 TEST(InfeasibleLines, GiveNoNumberOfWhatIsInfinite) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const Nearest no_end{infinite, std::nullopt};

@@ -78,16 +78,22 @@ std::string why_no_force(const std::string& word, const std::string& held,
   return begin == std::string::npos ? "" : said.substr(begin, said.find('\n', begin) - begin);
 }
 
-TEST(HandSections, SayWhyAFingerHangsOnSlackStrands) {
+TEST(HandSections, SayWhyAFingerGetsNoPull) {
   const auto since = [](const std::string& held, const std::string& reason) {
-    return "No motor force is enough: with held " + held +
-           " finger 1 hangs on slack strands, since " + reason;
+    return "No motor force is enough: with held " + held + " finger 1 gets no pull, since " +
+           reason;
   };
   Hardware hardware = hardware_of(60, 2);
   EXPECT_EQ(why_no_force("1x-M+2x-M", "a", hardware), since("a", "its ends at motors are locked"));
   EXPECT_EQ(why_no_force("1x-M+2x-M2", "none@0,1", hardware),
             since("none@0,1", "its carriages stand still"));
   EXPECT_EQ(why_no_force("1x-M+2x-M", "2", hardware), since("2", "the carriage is blocked"));
+  EXPECT_EQ(why_no_force("M-1x+M-1e", "none", hardware),
+            since("none", "its extensor pulls back as hard as its flexor pulls"));
+  hardware.spools = {{"b", -0.8}};  // lets out less than the flexor takes
+  EXPECT_EQ(why_no_force("M-1x+M-1e", "none", hardware),
+            since("none", "its extensor pulls back as hard as its flexor pulls"));
+  hardware.spools.clear();
   hardware.tendon = {.EA_N = 20000, .own = {{.tendon = 2, .stiffness_N_mm = 5}}};
   EXPECT_EQ(why_no_force("1x-M+2x-M", "2", hardware),
             since("2", "the carriage is blocked, if springs in series do not stretch"));
