@@ -25,7 +25,7 @@ struct RunSplit {
 };
 
 // `share` of the runs, at least one and not all, unless it is 0 or there is one run only. Without
-// the incomplete readings (filled_columns.hpp).
+// the incomplete readings (whole_columns.hpp).
 RunSplit split_by_run(const MeasuredData& data, double share, std::uint64_t seed,
                       const std::vector<std::size_t>& incomplete = {});
 

@@ -13,7 +13,6 @@
 #include "core/error.hpp"
 #include "diagnosis/chosen_readings.hpp"
 #include "diagnosis/diagnosis_result.hpp"
-#include "diagnosis/filled_columns.hpp"
 #include "diagnosis/fit/intervals.hpp"
 #include "diagnosis/fit/problem.hpp"
 #include "diagnosis/plan/next_measurement.hpp"
@@ -24,6 +23,7 @@
 #include "diagnosis/verdict/outlier_forecasts.hpp"
 #include "diagnosis/verdict/outlier_groups.hpp"
 #include "diagnosis/verdict/run_words.hpp"
+#include "diagnosis/whole_columns.hpp"
 #include "numerics/streams.hpp"
 
 namespace reeve::diagnosis {
@@ -63,11 +63,11 @@ constexpr double too_few_degrees = 8;
 class Diagnosis {
  public:
   Diagnosis(const MeasuredData& data, const Hardware& hardware, const DiagnoseOptions& options)
-      : filled_(filled_columns(data)),
-        data_(filled_.data),
+      : whole_(whole_columns(data)),
+        data_(whole_.data),
         options_(options),
         workers_(options.threads, options.stop),
-        sample_(sample(data_, options.hold_out, options.seed, filled_.incomplete)) {
+        sample_(sample(data_, options.hold_out, options.seed, whole_.incomplete)) {
     nominal_.hardware = hardware;
     result_.model = nominal_;
     const SampleCounts& counts = sample_;
@@ -482,7 +482,7 @@ class Diagnosis {
     result_.left_out = left_out_runs(data_, readings, result_.model, found_.scatter, workers_);
   }
 
-  const FilledColumns filled_;
+  const WholeColumns whole_;
   const MeasuredData& data_;
   const DiagnoseOptions& options_;
   Workers workers_;

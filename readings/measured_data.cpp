@@ -11,6 +11,7 @@
 
 #include "readings/data_columns.hpp"
 #include "readings/data_notes.hpp"
+#include "readings/filled_columns.hpp"
 #include "readings/outliers.hpp"
 #include "readings/row_order.hpp"
 #include "readings/row_reader.hpp"
@@ -125,6 +126,7 @@ MeasuredData read(CsvReader csv, const RoutingResolver& resolve, const ReadingOp
   leave_out_negative_motor_tensions(data);
   set_outliers_aside(data);
   set_taken(data);
+  fill_columns(data);
   note_what_looks_wrong(data, below_the_header);
   return data;
 }

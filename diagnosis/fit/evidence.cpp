@@ -18,6 +18,9 @@ using Eigen::VectorXd;
 
 constexpr double least_fitted_scale = 1e-9;
 constexpr std::array mounting_levels{3.0, 1.0, 0.3, 0.05};
+// What mountings scatter is estimated as if each reading had all noise for itself. Where much of it
+// is the motor's, and common to a row, they scatter more.
+constexpr double beside_motor = 10;
 constexpr std::array motor_levels{0.0, 1.0, 5.0};
 
 double median_size(VectorXd values) {
@@ -282,6 +285,11 @@ ScatterShape scatter_shape(const Dataset& dataset, const Model& reference,
     }
     if (tells && shape.rounded_N > 0) shape.levels.push_back({mounting, 0, true});
   }
+  if (has_mountings && tells_of_motor(dataset)) {
+    for (const double motor : motor_levels) {
+      if (motor > 0) shape.levels.push_back({beside_motor, motor});
+    }
+  }
   return shape;
 }
 
@@ -360,13 +368,20 @@ Likelihood likelihood(const Dataset& dataset, const ScatterShape& shape, const F
     Likelihood here = likelihood(dataset, shape, at, level);
     if (here.value > best.value || best.problem.dataset == nullptr) best = std::move(here);
   };
-  // First the mountings, then the motor beside what is likeliest of them.
+  // First the mountings, then the motor beside what is likeliest of them, and mountings beside it.
   for (const ScatterLevel& level : shape.levels) {
     if (!level.motor_scatters()) see(level);
   }
   const double mounting = best.level.mounting;
   for (const ScatterLevel& level : shape.levels) {
     if (level.motor_scatters() && level.mounting == mounting) see(level);
+  }
+  const ScatterLevel with_motor = best.level;
+  for (const ScatterLevel& level : shape.levels) {
+    if (with_motor.motor_scatters() && level.mounting != mounting &&
+        level.motor == with_motor.motor && level.rounded == with_motor.rounded) {
+      see(level);
+    }
   }
   return best;
 }

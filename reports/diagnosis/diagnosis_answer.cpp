@@ -82,7 +82,7 @@ std::string gain_line(const DiagnosisReport& report) {
 
 std::string chance_sentence(const DiagnosisReport& report) {
   const bool significant = report.result.p_value <= report.settings.alpha;
-  return fmt::format("The improvement is {}significant ({}).\n", significant ? "" : "not ",
+  return fmt::format("The gain in likelihood is {}significant ({}).\n", significant ? "" : "not ",
                      p_text(report.result.p_value, report.settings.replicates));
 }
 

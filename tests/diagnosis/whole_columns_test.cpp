@@ -1,5 +1,5 @@
 // Columns with empty cells, against the values that were taken out.
-#include "diagnosis/filled_columns.hpp"
+#include "diagnosis/whole_columns.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -35,10 +35,11 @@ MeasuredData with_column(Column column) {
 
 double drawn(int i) { return 40 + 40 * uniform(row_seed, 0, static_cast<std::uint64_t>(i)); }
 
-TEST(FilledColumns, AreAsGivenIfNoCellIsEmpty) {
-  const FilledColumns filled = filled_columns(with_column([](int i) { return drawn(i); }));
-  EXPECT_TRUE(filled.incomplete.empty());
-  EXPECT_TRUE(filled.data.notes.empty());
+TEST(WholeColumns, AreAsGivenIfNoCellIsEmpty) {
+  const MeasuredData data = with_column([](int i) { return drawn(i); });
+  const WholeColumns whole = whole_columns(data);
+  EXPECT_TRUE(whole.incomplete.empty());
+  EXPECT_EQ(whole.data.notes.size(), data.notes.size());
 }
 
 TEST(FilledColumns, HaveTheLineBetweenNeighboursWhereTheyChangeSlowly) {
@@ -47,38 +48,46 @@ TEST(FilledColumns, HaveTheLineBetweenNeighboursWhereTheyChangeSlowly) {
     const bool is_empty = i % 3 == 1 || i == 0 || i == 9;
     return is_empty ? std::nullopt : std::optional(slow(i));
   });
-  const FilledColumns filled = filled_columns(data);
-  EXPECT_TRUE(filled.incomplete.empty());
-  for (int i = 1; i < 60; ++i) {
-    const double expected = slow(i == 9 || i == 19 ? i - 1 : i);
+  for (int i = 2; i < 60; ++i) {
     if (i % 10 == 9 || i % 10 == 0) continue;
-    EXPECT_NEAR(*filled.data.readings[static_cast<std::size_t>(i)].covariates[0], expected, 1e-9);
+    EXPECT_NEAR(*data.readings[static_cast<std::size_t>(i)].covariates[0], slow(i), 1e-9);
   }
   // What is before the first one of a run, or behind the last, is as that one.
-  EXPECT_EQ(filled.data.readings[0].covariates[0], slow(2));
-  EXPECT_EQ(filled.data.readings[9].covariates[0], slow(8));
-  EXPECT_TRUE(has(note_text(filled.data.notes, NoteKind::assumed),
-                  "column 'h_pct' is empty in 22 of 60 rows, 22 of which are filled"));
+  EXPECT_EQ(data.readings[0].covariates[0], slow(2));
+  EXPECT_EQ(data.readings[9].covariates[0], slow(8));
+  EXPECT_TRUE(has(note_text(data.notes, NoteKind::assumed),
+                  "column 'h_pct' is empty in 22 of 60 rows; 22 are filled from the rows beside"));
 }
 
-TEST(FilledColumns, LeaveOutRowsWhereTheyAreSetRowByRow) {
-  const FilledColumns filled = filled_columns(with_column(
+TEST(FilledColumns, HaveTheMeanOfTheirRunWhereTheyScatterAboutIt) {
+  const auto noisy = [](int i) { return 30 + 10.0 * (i / 10) + (i % 2 == 0 ? 1 : -1); };
+  const MeasuredData data =
+      with_column([&](int i) { return i % 10 == 4 ? std::nullopt : std::optional(noisy(i)); });
+  for (std::size_t run = 0; run < 6; ++run) {
+    EXPECT_NEAR(*data.readings[10 * run + 4].covariates[0],
+                30 + 10.0 * static_cast<double>(run) - 1.0 / 9, 1e-9);
+  }
+  EXPECT_TRUE(has(note_text(data.notes, NoteKind::assumed), "from the mean of the others"));
+}
+
+TEST(WholeColumns, LeaveOutRowsWhereTheyAreSetRowByRow) {
+  const WholeColumns whole = whole_columns(with_column(
       [](int i) { return i == 7 || i == 30 ? std::nullopt : std::optional(drawn(i)); }));
-  EXPECT_EQ(filled.incomplete, (std::vector<std::size_t>{7, 30}));
-  EXPECT_EQ(noted_lines(filled.data.notes, NoteKind::not_compared),
+  EXPECT_EQ(whole.incomplete, (std::vector<std::size_t>{7, 30}));
+  EXPECT_EQ(noted_lines(whole.data.notes, NoteKind::not_compared),
             (std::vector<std::size_t>{9, 32}));
 }
 
-TEST(FilledColumns, AreNotLookedAtIfTheyLackTooMuch) {
-  const FilledColumns filled = filled_columns(
+TEST(WholeColumns, AreNotLookedAtIfTheyLackTooMuch) {
+  const WholeColumns whole = whole_columns(
       with_column([](int i) { return i % 5 < 2 ? std::nullopt : std::optional(drawn(i)); }));
-  EXPECT_TRUE(filled.incomplete.empty());
-  for (const Reading& reading : filled.data.readings) EXPECT_FALSE(reading.covariates[0]);
-  EXPECT_TRUE(has(note_text(filled.data.notes, NoteKind::not_compared), "it is not looked at"));
+  EXPECT_TRUE(whole.incomplete.empty());
+  for (const Reading& reading : whole.data.readings) EXPECT_FALSE(reading.covariates[0]);
+  EXPECT_TRUE(has(note_text(whole.data.notes, NoteKind::not_compared), "it is not looked at"));
 }
 
 // Sheath friction that grows by 0.8 % for each per cent of humidity, which was not always noted.
-TEST(FilledColumns, LeaveALawAsItIs) {
+TEST(WholeColumns, LeaveALawAsItIs) {
   std::string text = "run,routing,direction,motor_tension_N,T1_N,h_pct\n";
   std::uint64_t draw = 0;
   for (int run = 0; run < 8; ++run) {

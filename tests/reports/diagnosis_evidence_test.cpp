@@ -181,7 +181,7 @@ TEST(DiagnosisEvidence, HasTheNumbersOfTheAnswerInItsTablesToTheDigit) {
   report.result.weighed = {{{"tube_friction"}, 357.96, held_out}};
   const std::string text = reports::text(diagnosis_document(report));
   EXPECT_TRUE(testing::has(text, "fall by 90 % (88 % to 90 %): from 8.4 N to 0.84 N"));
-  EXPECT_TRUE(testing::has(text, "The improvement is significant (p < 0.001).\n"));
+  EXPECT_TRUE(testing::has(text, "The gain in likelihood is significant (p < 0.001).\n"));
   const auto line_with = [&](const std::string& beginning) {
     const std::size_t at = text.find(beginning);
     return at == std::string::npos ? "" : text.substr(at, text.find('\n', at) - at);
