@@ -142,9 +142,9 @@ void fill_columns(MeasuredData& data) {
     if (filled == 0) continue;
     data.notes.push_back(
         {NoteKind::assumed,
-         fmt::format("column '{}' is empty in {} of {} rows; {} are filled from {} in their runs",
-                     column.name, empty, data.readings.size(), filled,
-                     *guess == Guess::line ? "the rows beside them" : "the mean of the others"),
+         fmt::format("column '{}' is empty in {} of {} rows, filled in {} by {}", column.name,
+                     empty, data.readings.size(), filled,
+                     *guess == Guess::line ? "the rows beside in the run" : "the mean of the run"),
          {}});
   }
 }

@@ -56,7 +56,7 @@ TEST(FilledColumns, HaveTheLineBetweenNeighboursWhereTheyChangeSlowly) {
   EXPECT_EQ(data.readings[0].covariates[0], slow(2));
   EXPECT_EQ(data.readings[9].covariates[0], slow(8));
   EXPECT_TRUE(has(note_text(data.notes, NoteKind::assumed),
-                  "column 'h_pct' is empty in 22 of 60 rows; 22 are filled from the rows beside"));
+                  "column 'h_pct' is empty in 22 of 60 rows, filled in 22 by the rows beside"));
 }
 
 TEST(FilledColumns, HaveTheMeanOfTheirRunWhereTheyScatterAboutIt) {
@@ -67,7 +67,7 @@ TEST(FilledColumns, HaveTheMeanOfTheirRunWhereTheyScatterAboutIt) {
     EXPECT_NEAR(*data.readings[10 * run + 4].covariates[0],
                 30 + 10.0 * static_cast<double>(run) - 1.0 / 9, 1e-9);
   }
-  EXPECT_TRUE(has(note_text(data.notes, NoteKind::assumed), "from the mean of the others"));
+  EXPECT_TRUE(has(note_text(data.notes, NoteKind::assumed), "by the mean of the run"));
 }
 
 TEST(WholeColumns, LeaveOutRowsWhereTheyAreSetRowByRow) {
