@@ -16,6 +16,7 @@
 #include "readings/inverted.hpp"
 #include "readings/recognise_series.hpp"
 #include "readings/row_order.hpp"
+#include "readings/rows.hpp"
 
 namespace reeve::readings {
 namespace {
@@ -131,6 +132,18 @@ void note_below_zero(MeasuredData& data) {
        std::move(lines)});
 }
 
+// An empty cell beside others that name fingers says that none is held.
+void note_grasps(MeasuredData& data) {
+  const auto assumed = std::ranges::count_if(data.readings, &Reading::grasp_assumed);
+  const bool some_are_said = std::ranges::any_of(data.readings, [&](const Reading& reading) {
+    return !reading.grasp_assumed && data.routings[reading.routing].network.fingers > 1;
+  });
+  if (assumed == 0 || some_are_said) return;
+  data.notes.push_back(
+      {NoteKind::assumed, held_is_assumed(static_cast<std::size_t>(assumed), data.readings.size(),
+                                          "rows")});
+}
+
 // The clock gives rows their order, and is no news to whoever logged it.
 void note_covariates(MeasuredData& data) {
   const std::optional<std::size_t> clock = clock_of(data);
@@ -193,6 +206,7 @@ void note_what_looks_wrong(MeasuredData& data,
   note_motor_side(data);
   note_units(data);
   note_directions(data);
+  note_grasps(data);
   note_below_zero(data);
   if (auto inverted = inverted_channels(data)) data.notes.push_back(std::move(*inverted));
   note_covariates(data);

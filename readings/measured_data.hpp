@@ -44,6 +44,7 @@ struct Reading {
   Grasp grasp;
   Direction direction = Direction::pull;
   bool direction_assumed = false;  // the file does not say it
+  bool grasp_assumed = false;      // neither does it say which fingers are held
   std::optional<double> motor_tension_N;
   std::optional<double> speed_mm_s;
   std::optional<double> cycle;

@@ -221,8 +221,11 @@ class RowReader {
     reading.routing = routing.value_or(routings_.count());
     if (routing) {
       const int fingers = routings_[*routing].network.fingers;
-      const auto held = word(row, DataRole::held,
-                             [&](std::string_view text) { return read_held(text, fingers); });
+      reading.grasp_assumed = fingers > 1;
+      const auto held = word(row, DataRole::held, [&](std::string_view text) {
+        reading.grasp_assumed = fingers > 1 && leaves_held_open(text);
+        return read_held(text, fingers);
+      });
       reading.grasp = held.value_or(Grasp{});
     }
     const auto said = word(row, DataRole::direction, read_direction).value_or(std::nullopt);

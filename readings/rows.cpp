@@ -106,6 +106,13 @@ Grasp read_held(std::string_view text, int fingers) {
                                fingers, fingers > 1 ? "1;2" : "1")});
 }
 
+bool leaves_held_open(std::string_view text) { return is_missing(text) && lower(text) != "none"; }
+
+std::string held_is_assumed(std::size_t assumed, std::size_t all, std::string_view rows) {
+  return fmt::format("the held finger is not given in {} of {} {}: none is assumed to be held",
+                     assumed, all, rows);
+}
+
 std::optional<Direction> read_direction(std::string_view text) {
   const std::string direction = lower(text);
   if (is_missing(direction)) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -38,6 +39,10 @@ void require_rows(const CsvReader& csv, std::size_t rows, const std::vector<Data
 // empty cell has no direction.
 Grasp read_held(std::string_view text, int fingers);
 std::optional<Direction> read_direction(std::string_view text);
+// True of an empty cell of held fingers, which does not say "none".
+bool leaves_held_open(std::string_view text);
+// "the held finger is not given in 48 of 48 rows: none is assumed to be held"
+std::string held_is_assumed(std::size_t assumed, std::size_t all, std::string_view rows);
 
 // Zeros of the sensors: a row whose run or routing is called tare has what each sensor reads
 // without load. It is taken off the readings below, until the next such row:

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/graph.hpp"
 #include "core/network.hpp"
+#include "core/text.hpp"
 #include "readings/column_name.hpp"
 #include "readings/csv.hpp"
 #include "readings/fault_list.hpp"
@@ -144,6 +145,24 @@ void validate_labels(const LoggedSeries& series, const std::vector<LogLabels>& l
   faults.throw_any(series.file);
 }
 
+// The user must not think that the tool knows which finger an object stops.
+void note_held(LoggedSeries& series, const std::vector<LogLabels>& labels,
+               const RoutingResolver& resolve) {
+  const bool is_open = std::ranges::all_of(
+      labels, [](const LogLabels& label) { return leaves_held_open(trimmed(label.held)); });
+  if (!is_open) return;
+  std::vector<bool> has_choice;  // [label]
+  for (const LogLabels& label : labels) {
+    has_choice.push_back(network_of(label.routing, resolve).fingers > 1);
+  }
+  const auto assumed =
+      std::ranges::count_if(series.label, [&](std::size_t label) { return has_choice[label]; });
+  if (assumed == 0) return;
+  series.notes.push_back(
+      {NoteKind::assumed,
+       held_is_assumed(static_cast<std::size_t>(assumed), series.size(), "samples")});
+}
+
 }  // namespace
 
 void require_labels(const LoggedSeries& series, const ImportLabels& given,
@@ -156,6 +175,7 @@ ImportReport import_study(LoggedSeries series, const ImportLabels& given,
   ImportReport report;
   report.labels = filled_in(series, given);
   validate_labels(series, report.labels, given.start, resolve);
+  note_held(series, report.labels, resolve);
   report.steady = steady_readings(series, options);
   report.series = std::move(series);
   report.options = options;

@@ -28,6 +28,21 @@ TEST(AMotorSideSegment, WithMoreThanTheMotorGivesIsNoted) {
   EXPECT_EQ(lines("A,TR5,,20,30,10,1\n", NoteKind::motor_side_above_motor), Lines{});
 }
 
+std::string held_note(const std::string& columns, const std::string& rows) {
+  const auto notes = read_data("run,routing,direction," + columns + "T1_N\n" + rows).notes;
+  return note_text(notes, NoteKind::assumed);
+}
+
+TEST(AHeldFinger, ThatNoRowNamesIsAssumedToBeNone) {
+  EXPECT_EQ(held_note("", "A,TR5,pull,4\nA,TR5,pull,5\n"),
+            "the held finger is not given in 2 of 2 rows: none is assumed to be held");
+  EXPECT_EQ(held_note("held,", "A,TR5,pull,,4\nA,M-1-F,pull,,5\n"),
+            "the held finger is not given in 1 of 2 rows: none is assumed to be held");
+  EXPECT_EQ(held_note("held,", "A,TR5,pull,none,4\nA,TR5,pull,none,5\n"), "");
+  EXPECT_EQ(held_note("held,", "A,TR5,pull,,4\nA,TR5,pull,1,5\n"), "");
+  EXPECT_EQ(held_note("", "A,M-1-F,pull,4\n"), "");
+}
+
 std::size_t unit_notes(const std::string& rows) {
   return count_notes(read_data("run,routing,motor_tension_N,T1_N\n" + rows).notes, NoteKind::units);
 }
@@ -40,7 +55,7 @@ TEST(UnitsOffByAThousand, AreSuspected) {
   EXPECT_EQ(unit_notes("A,TR5,,0.004\nA,TR5,,0.005\n"), 1U);
   EXPECT_EQ(unit_notes("A,TR5,20,0\nA,TR5,25,0\n"), 0U);
   const auto notes =
-      read_data("run,routing,direction,motor_tension_N,T1_N\nA,TR5,release,20,4000\n").notes;
+      read_data("run,routing,held,direction,motor_tension_N,T1_N\nA,TR5,1,release,20,4000\n").notes;
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_EQ(
       notes[0].text,

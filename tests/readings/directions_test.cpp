@@ -12,14 +12,16 @@ namespace {
 
 TEST(ADirection, ThatIsMissingIsAssumedAndCounted) {
   const MeasuredData data =
-      read_data("run,routing,direction,T1_N\nA,TR5,,1\nA,TR5,release,2\nA,TR5,-,3\nA,TR5,pull,4\n");
+      read_data(
+      "run,routing,held,direction,T1_N\nA,TR5,1,,1\nA,TR5,1,release,2\nA,TR5,1,-,3\n"
+      "A,TR5,1,pull,4\n");
   EXPECT_TRUE(data.readings[0].direction_assumed);
   EXPECT_FALSE(data.readings[1].direction_assumed);
   EXPECT_FALSE(data.readings[3].direction_assumed);
   EXPECT_EQ(note_text(data.notes, NoteKind::assumed),
             "the direction is not given in 2 of 4 rows: pull is assumed");
   EXPECT_EQ(
-      count_notes(read_data("run,routing,direction,T1_N\nA,TR5,pull,1\n").notes, NoteKind::assumed),
+      count_notes(read_data("run,routing,held,direction,T1_N\nA,TR5,1,pull,1\n").notes, NoteKind::assumed),
       0U);
 }
 

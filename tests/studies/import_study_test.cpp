@@ -31,5 +31,40 @@ TEST(ImportStudy, NeedsARoutingThatAMotorPulls) {
   EXPECT_NE(import_error("F-1-F").find("F-1-F"), std::string::npos) << import_error("F-1-F");
 }
 
+std::vector<DataNote> import_notes(const std::string& routing,
+                                   const std::optional<std::string>& held) {
+  std::string log = "time_s,motor_tension_N,T1_N\n";
+  for (int i = 0; i < 40; ++i) log += std::to_string(0.1 * i) + ",20,4\n";
+  ImportLabels given;
+  given.routing = routing;
+  given.held = held;
+  return import_study(parse_logged_series(log, "log.csv"), given, {},
+                      [](const std::string& word) { return parse_routing(word); })
+      .series.notes;
+}
+
+TEST(ImportStudy, NotesThatNoHeldFingerIsGiven) {
+  const auto notes = import_notes("M-1-P-2-M", {});
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0].text,
+            "the held finger is not given in 40 of 40 samples: none is assumed to be held");
+  EXPECT_TRUE(import_notes("M-1-P-2-M", "none").empty());
+  EXPECT_TRUE(import_notes("M-1-F", {}).empty());
+}
+
+TEST(ImportStudy, NotesThatAllTensionsAreBelowZero) {
+  std::string log = "time_s,motor_tension_N,T1_N\n";
+  for (int i = 0; i < 40; ++i) log += std::to_string(0.1 * i) + ",-20,-4\n";
+  ImportLabels given;
+  given.routing = "M-1-F";
+  const auto report =
+      import_study(parse_logged_series(log, "log.csv"), given, {},
+                   [](const std::string& word) { return parse_routing(word); });
+  ASSERT_FALSE(report.steady.notes.empty());
+  EXPECT_EQ(report.steady.notes[0].kind, NoteKind::inverted);
+  EXPECT_TRUE(report.steady.notes[0].text.starts_with("all tensions are below zero")) <<
+      report.steady.notes[0].text;
+}
+
 }  // namespace
 }  // namespace reeve
