@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <regex>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -43,6 +46,40 @@ std::string byte_words(char c) {
                              static_cast<char>(0x80 | (byte & 0x3F))};
   return words +
          fmt::format(" ('{}' in Latin-1)", std::string_view(character.data(), character.size()));
+}
+
+// Makes the blanks of spreadsheets and web pages plain ones, and takes out characters of no width:
+// nobody sees them in a name or a cell.
+void make_blanks(std::string& field) {
+  if (std::ranges::none_of(field, [](char c) { return (c & '\x80') != 0; })) return;
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> invisible{
+      {{"\u00A0", " "},
+       {"\u202F", " "},
+       {"\u2007", " "},
+       {"\u2009", " "},
+       {"\u200B", ""},
+       {"\uFEFF", ""}}};
+  for (const auto& [character, plain] : invisible) {
+    for (std::size_t at = field.find(character); at != std::string::npos;) {
+      field.replace(at, character.size(), plain);
+      at = field.find(character, at);
+    }
+  }
+}
+
+// Folds line breaks, as spreadsheets have them in names, to one blank each.
+void fold_lines(std::string& name) {
+  if (name.find('\n') == std::string::npos) return;
+  std::ranges::replace_if(
+      name, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  const auto rest = std::ranges::unique(name, [](char a, char b) { return a == ' ' && b == ' '; });
+  name.erase(rest.begin(), rest.end());
+}
+
+std::size_t words_in(std::string_view row) {
+  std::istringstream words{std::string(row)};
+  return static_cast<std::size_t>(std::distance(std::istream_iterator<std::string>(words),
+                                                std::istream_iterator<std::string>()));
 }
 
 bool is_blank(const std::string& field) { return trimmed(field).empty(); }
@@ -117,6 +154,7 @@ void CsvReader::read_header() {
     throw InputError(
         {.where = name_, .what = "is empty", .expected = "a header and rows below it"});
   }
+  std::ranges::for_each(header_.fields, fold_lines);
   columns_ = header_.fields.size();
   for (std::size_t i = 0; i < columns_; ++i) {
     if (!is_blank(header_.fields[i])) named_ = i + 1;
@@ -148,21 +186,35 @@ CsvReader::Place CsvReader::place_of(std::size_t at) const {
   return {lines + 1, last == std::string_view::npos ? at + 1 - line_begin_ : before.size() - last};
 }
 
-// Refuses file formats of spreadsheets.
-void CsvReader::require_no_workbook() const {
-  const bool is_zip = text_.starts_with("PK\x03\x04");
-  if (!is_zip && !text_.starts_with("\xD0\xCF\x11\xE0")) return;
-  throw InputError({.where = name_,
-                    .what = fmt::format("is a workbook of a spreadsheet ({}), not text",
-                                        is_zip ? ".xlsx, .ods or another zip archive" : ".xls"),
-                    .expected = "its sheet saved as CSV"});
+// Refuses what is no text, by the bytes that it begins with.
+void CsvReader::require_no_archive() const {
+  struct Format {
+    std::string_view begin;
+    const char* what;
+    const char* expected;
+  };
+  constexpr const char* sheet = "its sheet saved as CSV";
+  constexpr const char* unpacked = "the file unpacked";
+  constexpr std::array formats{
+      Format{"PK\x03\x04",
+             "is a workbook of a spreadsheet (.xlsx, .ods or another zip archive), not text",
+             sheet},
+      Format{"\xD0\xCF\x11\xE0", "is a workbook of a spreadsheet (.xls), not text", sheet},
+      Format{"\x1F\x8B", "is compressed (gzip)", unpacked},
+      Format{"BZh", "is compressed (bzip2)", unpacked},
+  };
+  for (const Format& format : formats) {
+    if (!text_.starts_with(format.begin)) continue;
+    throw InputError({.where = name_, .what = format.what, .expected = format.expected});
+  }
 }
 
 void CsvReader::require_text() const {
-  require_no_workbook();
+  require_no_archive();
   const std::size_t nul = text_.find('\0');
   if (nul != std::string::npos) {
-    fail(place_of(nul), "a NUL byte", "text in UTF-8 (UTF-16 must be converted)");
+    fail(place_of(nul), "a NUL byte",
+         "text in UTF-8. If the file is UTF-16, convert it by iconv -f UTF-16 -t UTF-8");
   }
   if (const auto bad = first_not_utf8(text_)) {
     fail(place_of(*bad), byte_words(text_[*bad]),
@@ -171,8 +223,21 @@ void CsvReader::require_text() const {
   }
 }
 
+// `header` has no separator. A name may have blanks; three words in the row below as well are
+// columns.
+void CsvReader::require_no_aligned_columns(std::string_view header) const {
+  const std::size_t below = std::min(at_ + header.size() + 1, text_.size());
+  const bool has_bars = header.find('|') != std::string_view::npos;
+  const bool has_blanks = words_in(header) > 2 && words_in(csv_row_at(text_, below)) > 2;
+  if (!has_bars && !has_blanks) return;
+  fail(here(), fmt::format("columns are separated by {}", has_bars ? "bars (|)" : "blanks"),
+       "commas, semicolons or tabs");
+}
+
 char CsvReader::find_separator() const {
-  const SeparatorCounts counts = separators_of(csv_row_at(text_, at_));
+  const std::string_view row = csv_row_at(text_, at_);
+  const SeparatorCounts counts = separators_of(row);
+  if (counts.commas + counts.semicolons + counts.tabs == 0) require_no_aligned_columns(row);
   if (counts.is_ambiguous()) {
     fail(here(),
          fmt::format("the header has {} commas and {} semicolons outside quotes", counts.commas,
@@ -218,6 +283,7 @@ bool CsvReader::read_row(CsvRow& row) {
     if (kept && count == row.fields.size()) row.fields.emplace_back();
     std::string& field = kept ? row.fields[count] : beyond;
     read_field(field);
+    make_blanks(field);
     ++count;
     if (!is_blank(field)) {
       filled = count;
@@ -294,8 +360,15 @@ void CsvReader::require_line_end() const {
 
 bool is_missing(std::string_view text) {
   constexpr std::array words{"", "-", "--", "nan", "na", "n/a", "n.a.", "#n/a", "null"};
-  const std::string small = lower(text);
-  return std::any_of(words.begin(), words.end(), [&](const char* word) { return small == word; });
+  return std::ranges::find(words, lower(text)) != words.end() || marks_an_error(text);
+}
+
+bool marks_an_error(std::string_view text) {
+  constexpr std::array words{"#div/0!", "#wert!",    "#ref!",  "#value!",  "#name?",  "#num!",
+                             "inf",     "-inf",      "+inf",   "infinity", "ovl",     "err",
+                             "error",   "none",      "nat",    "n.v.",     "?",       "---",
+                             "-nan",    "-nan(ind)", "1.#inf", "-1.#inf",  "1.#qnan", "-1.#ind"};
+  return std::ranges::find(words, lower(text)) != words.end();
 }
 
 namespace {
@@ -305,26 +378,46 @@ bool is_of_digits(std::string_view text) {
   return text.find_first_not_of("0123456789+-eE.,") == std::string_view::npos;
 }
 
+// True of 17.190,000, 17'190, 17 190 and 1.234.567. One group alone, 17,190, may be a decimal mark.
+bool has_thousands_mark(std::string_view text, bool one_group_is_enough) {
+  static const std::regex form(R"([+-]?[1-9]\d?\d?([.,' ])\d{3}(\1\d{3})*([.,]\d*)?)");
+  std::cmatch found;
+  if (!std::regex_match(text.begin(), text.end(), found, form)) return false;
+  const bool is_no_decimal_mark = found[1] == "'" || found[1] == " ";
+  return one_group_is_enough || is_no_decimal_mark || found[2].matched || found[3].matched;
+}
+
 }  // namespace
 
 double CsvNumberReader::read(std::string_view text, std::size_t line, double low, double high,
                              bool may_be_empty) {
   std::string written(text);
-  if (with_commas_) std::replace(written.begin(), written.end(), ',', '.');
+  std::replace(written.begin(), written.end(), ',', '.');
   if (written.starts_with('+') && !written.starts_with("+-")) written.erase(0, 1);
   const std::optional<double> number = number_in(written);
-  if (with_commas_) require_one_mark(text, number.has_value(), line);
-  if (number && *number >= low && *number <= high) return *number;
-  if (!with_commas_ && !number && is_of_digits(text) && text.find(',') != std::string_view::npos) {
-    throw InputError(
-        {.expected = "a decimal point and no other mark; with decimal commas, semicolons between "
-                     "the columns"});
+  const bool is_quoted = between_commas_ && text.find(',') != std::string_view::npos;
+  if ((!number || is_quoted) && has_thousands_mark(text, false)) {
+    throw InputError({.expected = "a number without a thousands separator"});
   }
+  if (is_quoted) {
+    std::size_t& first = has_thousands_mark(text, true) ? doubtful_line_ : decimal_line_;
+    if (first == 0) first = line;
+  }
+  require_one_mark(text, number.has_value(), line);
+  if (number && *number >= low && *number <= high) return *number;
   if (std::isinf(high) && std::isinf(low)) {
     throw InputError({.expected = "a finite number such as 12.5, or an empty cell"});
   }
   throw InputError({.expected = fmt::format("a number from {} to {}{}", low, high,
                                             may_be_empty ? ", or an empty cell" : "")});
+}
+
+void CsvNumberReader::require_no_doubt() const {
+  if (doubtful_line_ == 0 || decimal_line_ != 0) return;
+  throw InputError(
+      {.what = fmt::format("each comma in a number has three digits behind it (line {})",
+                           doubtful_line_),
+       .expected = "a number without a thousands separator, or decimal points"});
 }
 
 // A number such as 1.234,5 has both marks.

@@ -75,8 +75,9 @@ class CsvReader {
 
   InputFault ragged(Place place, std::size_t fields) const;
   Place place_of(std::size_t at) const;
-  void require_no_workbook() const;
+  void require_no_archive() const;
   void require_text() const;
+  void require_no_aligned_columns(std::string_view header) const;
   char find_separator() const;
   bool at_row();
   void read_titles(std::size_t header);
@@ -119,26 +120,34 @@ InputError cell_error(const InputError& error, const std::string& file, std::siz
 // True for NaN, NA, n/a, - and other words for a missing number, and for an empty text.
 bool is_missing(std::string_view text);
 
-// Numbers in the fields of a CSV file: decimal points, or decimal commas where the separator is no
-// comma. A file that has both is refused: 1,234 may then be a thousand or one and a bit.
+// True for those that a spreadsheet or a logger writes where something went wrong: #DIV/0!, inf,
+// OVL.
+bool marks_an_error(std::string_view text);
+
+// Numbers in the fields of a CSV file: decimal points, or decimal commas, which between commas
+// stand in quotes. A file that has both is refused: 1,234 may then be a thousand or one and a bit.
 class CsvNumberReader {
  public:
-  explicit CsvNumberReader(char separator) : with_commas_(separator != ',') {}
+  explicit CsvNumberReader(char separator) : between_commas_(separator == ',') {}
 
   // A finite number from low to high. Throws InputError that says what was expected, and whether
   // the cell might be empty instead; the place is the caller's to name.
   double read(std::string_view text, std::size_t line, double low, double high,
               bool may_be_empty = true);
 
+  // Throws InputError if each comma read in quotes may part thousands: "17,190".
+  void require_no_doubt() const;
   // Throws InputError if the numbers read so far have the other mark than those of `other`.
   void require_mark_of(const CsvNumberReader& other) const;
 
  private:
   void require_one_mark(std::string_view text, bool is_number, std::size_t line);
 
-  bool with_commas_;
+  bool between_commas_;
   std::size_t comma_line_ = 0;  // first line with a decimal comma
   std::size_t point_line_ = 0;
+  std::size_t doubtful_line_ = 0;  // with commas in quotes: the first with three digits behind
+  std::size_t decimal_line_ = 0;   // … and the first with others
 };
 
 }  // namespace reeve::readings

@@ -38,20 +38,20 @@ std::vector<PlacedRow> first_rows(std::string_view text, std::size_t begin) {
   return rows;
 }
 
-bool is_number(std::string_view field, char separator) {
+bool reads_as_number(std::string_view field) {
   std::string written(trimmed(field));
-  if (separator != ',') std::replace(written.begin(), written.end(), ',', '.');
+  std::replace(written.begin(), written.end(), ',', '.');  // between commas, it is in quotes
   if (written.starts_with('+')) written.erase(0, 1);
   const bool has_digit = std::any_of(written.begin(), written.end(),
                                      [](unsigned char c) { return std::isdigit(c) != 0; });
   return has_digit && number_in(written).has_value();
 }
 
-void add_field(std::string_view field, char separator, RowShape& shape) {
+void add_field(std::string_view field, RowShape& shape) {
   ++shape.fields;
   if (field.size() > 1 && field.front() == '"') field = field.substr(1, field.size() - 2);
   if (!trimmed(field).empty()) shape.filled = shape.fields;
-  shape.has_number = shape.has_number || is_number(field, separator);
+  shape.has_number = shape.has_number || reads_as_number(field);
 }
 
 RowShape shape_of(std::string_view row, char separator) {
@@ -61,10 +61,10 @@ RowShape shape_of(std::string_view row, char separator) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (row[i] == '"') quoted = !quoted;
     if (quoted || row[i] != separator) continue;
-    add_field(row.substr(begin, i - begin), separator, shape);
+    add_field(row.substr(begin, i - begin), shape);
     begin = i + 1;
   }
-  add_field(row.substr(begin), separator, shape);
+  add_field(row.substr(begin), shape);
   return shape;
 }
 

@@ -141,7 +141,9 @@ TEST(BadCsv, NamesWhereAQuoteIsNotClosedOrNotAlone) {
 
 TEST(BadCsv, NamesBytesThatAreNoText) {
   using namespace std::string_literals;
-  const std::string expected = "a NUL byte: expected text in UTF-8 (UTF-16 must be converted)";
+  const std::string expected =
+      "a NUL byte: expected text in UTF-8. If the file is UTF-16, convert it by iconv -f UTF-16 -t "
+      "UTF-8";
   EXPECT_EQ(error_in("a,b\n1,\0\n"s), "d.csv:2:3: " + expected);
   EXPECT_EQ(error_in("\xFF\xFE"
                      "a\0,\0"s),
@@ -150,6 +152,20 @@ TEST(BadCsv, NamesBytesThatAreNoText) {
             "d.csv:1:4: a carriage return alone: expected LF or CRLF at line ends");
   EXPECT_EQ(error_in("# c\ra,b\r1,2\r"),
             "d.csv:1:4: a carriage return alone: expected LF or CRLF at line ends");
+}
+
+TEST(BadCsv, NamesWhatIsCompressed) {
+  EXPECT_EQ(error_in("\x1F\x8B..."), "d.csv: is compressed (gzip): expected the file unpacked");
+  EXPECT_EQ(error_in("BZh9..."), "d.csv: is compressed (bzip2): expected the file unpacked");
+}
+
+TEST(BadCsv, NamesColumnsThatBlanksOrBarsPart) {
+  const std::string expected = ": expected commas, semicolons or tabs";
+  EXPECT_EQ(error_in("run  routing  T1_N\nA  TR5  1.5\n"),
+            "d.csv:1:1: columns are separated by blanks" + expected);
+  EXPECT_EQ(error_in("run | routing | T1_N\nA | TR5 | 1.5\n"),
+            "d.csv:1:1: columns are separated by bars (|)" + expected);
+  EXPECT_EQ(error_in("force of the motor\n1.5\n"), "no such error was thrown");
 }
 
 TEST(BadCsv, NamesTheFirstByteThatIsNoUtf8AndWhatTheFileLooksLike) {
@@ -209,9 +225,10 @@ TEST(CsvNumber, HasADecimalPointBetweenCommas) {
   EXPECT_EQ(read(reader, "1.5"), 1.5);
   EXPECT_EQ(read(reader, "+2"), 2);
   EXPECT_EQ(read(reader, "-3e-2"), -0.03);
-  EXPECT_EQ(input_error([&] { read(reader, "1,5"); }),
-            "expected a decimal point and no other mark; with decimal commas, semicolons between "
-            "the columns");
+  EXPECT_EQ(
+      input_error([&] { read(reader, "1,5"); }),
+      "the file has decimal commas (line 1) and decimal points (line 1): expected one of them "
+      "throughout");
   for (const char* text : {"x", "1.5 N", "nan", "inf", "1e999", "0x10", "+-1", "--1", "+"}) {
     EXPECT_EQ(input_error([&] { read(reader, text); }),
               "expected a finite number such as 12.5, or an empty cell")
@@ -235,10 +252,8 @@ TEST(CsvNumber, IsRefusedWhereCommasAndPointsMeet) {
       "the file has decimal commas (line 2) and decimal points (line 9): expected one of them "
       "throughout");
   CsvNumberReader thousands(';');
-  EXPECT_EQ(
-      input_error([&] { read(thousands, "1.234,5", 3); }),
-      "the file has decimal commas (line 3) and decimal points (line 3): expected one of them "
-      "throughout");
+  EXPECT_EQ(input_error([&] { read(thousands, "1.234,5", 3); }),
+            "expected a number without a thousands separator");
 }
 
 TEST(CsvNumber, IsInItsRange) {
