@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -21,7 +22,8 @@ struct KnownName {
 };
 
 // Clocks in docs: seconds, where the name says no other unit.
-constexpr std::array plain_clocks{"time_s", "t_s", "t", "time", "timestamp", "time_ms", "t_ms"};
+constexpr std::array plain_clocks{"time_s",  "t_s",  "t",    "time", "timestamp",
+                                  "time_ms", "t_ms", "t_us", "t_ns"};
 
 constexpr std::array known_names{
     KnownName{"run", "run", DataRole::run},
@@ -39,6 +41,7 @@ constexpr std::array known_names{
     KnownName{"time", "time_s", DataRole::time, Dimension::time},
     KnownName{"timestamp", "time_s", DataRole::time, Dimension::time},
     KnownName{"t", "time_s", DataRole::time, Dimension::time},
+    KnownName{"elapsed", "time_s", DataRole::time, Dimension::time},
     KnownName{"position", "position_mm", DataRole::position, Dimension::length},
     KnownName{"pos", "position_mm", DataRole::position, Dimension::length},
 };
@@ -168,6 +171,11 @@ void require_short_name(std::string_view name) {
 
 std::optional<ColumnName> column_named(std::string_view name) {
   NameWords words = words_of(name);
+  // An Arduino's clocks have their units for a name.
+  for (const auto& [clock, unit] : {std::pair{"millis", "ms"}, std::pair{"micros", "us"}}) {
+    if (lower(trimmed(name)) != clock) continue;
+    return ColumnName{DataRole::time, {}, find_unit(unit, Dimension::time), false};
+  }
   if (words.bracketed && (words.bracketed->empty() || *words.bracketed == "-")) {
     words.bracketed.reset();
   }
@@ -199,6 +207,26 @@ std::optional<ColumnName> try_column_named(std::string_view name) {
   } catch (const InputError&) {
     return std::nullopt;
   }
+}
+
+std::optional<NoForce> tension_in_no_unit_of_force(std::string_view name) {
+  // Behind a blank or _, other words are a part of the name: "T3_left".
+  constexpr std::array known{"a",   "ma",   "v",     "mv",     "nm",     "nmm",   "ncm",
+                             "mnm", "adc",  "count", "counts", "cts",    "raw",   "lsb",
+                             "bit", "bits", "pct",   "digit",  "digits", "ticks", "ohm"};
+  NameWords words = words_of(name);
+  const bool is_behind = !words.bracketed && words.words.size() > 1;
+  if (is_behind) {
+    if (std::ranges::find(known, words.words.back()) == known.end()) return std::nullopt;
+    words.bracketed = trimmed(name).substr(trimmed(name).size() - words.words.back().size());
+    words.words.pop_back();
+  }
+  if (!words.bracketed || words.bracketed->empty() || is_unit(*words.bracketed)) {
+    return std::nullopt;
+  }
+  const auto named = try_column_named(joined(words, words.words.size()) + "[N]");
+  if (!named || !is_of_sensor(named->role) || (is_behind && named->needs_unit)) return std::nullopt;
+  return NoForce{*named, *words.bracketed};
 }
 
 std::optional<double> clock_unit(std::string_view name) {

@@ -88,6 +88,15 @@ std::optional<ColumnName> column_named(std::string_view name);
 // Returns nothing for a name that cannot be read, either.
 std::optional<ColumnName> try_column_named(std::string_view name);
 
+// A tension's name with another unit: "T3 [V]", "motor_tension_mA".
+struct NoForce {
+  ColumnName meant;
+  std::string unit;  // as written
+};
+
+// Returns nothing of a name whose unit tells another quantity, such as the temperature "T3 [°C]".
+std::optional<NoForce> tension_in_no_unit_of_force(std::string_view name);
+
 // Returns the seconds in a unit of that clock; nothing if it is no name of a clock.
 std::optional<double> clock_unit(std::string_view name);
 

@@ -46,24 +46,6 @@ bool may_be_unit(std::string_view word) {
   return word.size() == 1 ? letters.find(word) != std::string_view::npos : lower(word) != "in";
 }
 
-// "Kraft Motor kgf", "v_mm_s", "Kraft/kgf"; a unit alone is a name.
-std::optional<Unit> unit_at_the_end(std::string_view name, Dimension dimension) {
-  constexpr std::string_view parting = " _-.\t";
-  const std::size_t slash = name.find('/');
-  if (slash != std::string_view::npos && slash > 0) {
-    if (auto unit = find_unit(name.substr(slash + 1), dimension)) return unit;
-  }
-  const std::size_t blank = name.find_last_of(parting);
-  if (blank == std::string_view::npos || blank == 0) return std::nullopt;
-  const std::string last(name.substr(blank + 1));
-  const std::size_t before = name.find_last_of(parting, blank - 1);
-  if (before != std::string_view::npos) {
-    const std::string_view first = name.substr(before + 1, blank - before - 1);
-    if (auto unit = find_unit(std::string(first) + "/" + last, dimension)) return unit;
-  }
-  return may_be_unit(last) ? find_unit(last, dimension) : std::nullopt;
-}
-
 // Returns what the column's name says, or else the meaning that it is given.
 std::optional<Unit> unit_of_name(const ColumnName& named, const std::string& name,
                                  const ReadingOptions& options) {
@@ -133,6 +115,23 @@ std::optional<std::string> header_of(const std::string& wanted, const CsvRow& he
 }
 
 }  // namespace
+
+std::optional<Unit> unit_at_the_end(std::string_view name, Dimension dimension) {
+  constexpr std::string_view parting = " _-.\t";
+  const std::size_t slash = name.find('/');
+  if (slash != std::string_view::npos && slash > 0) {
+    if (auto unit = find_unit(name.substr(slash + 1), dimension)) return unit;
+  }
+  const std::size_t blank = name.find_last_of(parting);
+  if (blank == std::string_view::npos || blank == 0) return std::nullopt;
+  const std::string last(name.substr(blank + 1));
+  const std::size_t before = name.find_last_of(parting, blank - 1);
+  if (before != std::string_view::npos) {
+    const std::string_view first = name.substr(before + 1, blank - before - 1);
+    if (auto unit = find_unit(std::string(first) + "/" + last, dimension)) return unit;
+  }
+  return may_be_unit(last) ? find_unit(last, dimension) : std::nullopt;
+}
 
 std::string titles_text(const std::vector<CsvComment>& titles) {
   std::string text = titles.size() == 1 ? "a title above the header is not read: "

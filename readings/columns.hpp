@@ -50,6 +50,9 @@ bool means(const std::string& text, const DataColumn& column);
 // Returns what the user says that the name means, or the name itself.
 const std::string& meaning_of(const std::string& name, const ReadingOptions& options);
 
+// Returns the unit of "Kraft Motor kgf", "v_mm_s", "Kraft/kgf"; a unit alone is a name.
+std::optional<Unit> unit_at_the_end(std::string_view name, Dimension dimension);
+
 // True if the row below the header has units in place of readings.
 bool is_units_row(const CsvRow& header, const CsvRow& row, const ReadingOptions& options);
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "readings/guessed_column.hpp"
+#include "readings/rows.hpp"
 
 namespace reeve::readings {
 namespace {
@@ -76,28 +76,15 @@ void require(Header& header, DataRole role, const std::string& column,
   header.fail({.what = "the header has no column " + column, .expected = expected});
 }
 
-// Guesses the meanings of the covariates that the user has said nothing of.
-std::vector<GuessedColumn> guesses(const Header& header, const std::optional<CsvRow>& units,
-                                   const ReadingOptions& options) {
-  std::vector<GuessedColumn> found;
-  for (std::size_t i = 0; i < header.columns().size(); ++i) {
-    const DataColumn& column = header.columns()[i];
-    const auto is_of_it = [&](const ColumnMeaning& said) { return said.column == column.name; };
-    found.emplace_back();
-    if (column.role != DataRole::covariate || std::ranges::any_of(options.map, is_of_it)) continue;
-    found.back() = guess_column(column.name, unit_of_column(column.name, units, i));
-  }
-  return found;
-}
-
 // Read as a covariate, a column of one of these roles would make all rows mean something else.
 bool matters(const ColumnName& meaning, const GuessedColumn& guess) {
   switch (meaning.role) {
     case DataRole::held:
     case DataRole::direction:
       return true;
-    case DataRole::tension:
     case DataRole::motor_tension:
+      return guess.has_unit;
+    case DataRole::tension:
       return words_of(guess.name).bracketed.has_value();
     default:
       return false;
@@ -110,16 +97,27 @@ bool has(const Header& header, const ColumnName& meaning) {
   });
 }
 
-void require_said(Header& header, const std::vector<GuessedColumn>& guesses,
-                  const std::string& map_option) {
-  if (map_option.empty()) return;
-  for (std::size_t i = 0; i < guesses.size(); ++i) {
-    const auto meaning = try_column_named(guesses[i].meaning);
-    if (!meaning || !matters(*meaning, guesses[i]) || has(header, *meaning)) continue;
-    const std::string name = for_message(guesses[i].name);
-    header.fail_column(i, fmt::format("its meaning, which may be {1}: {0} '{2}={1}', or {0} "
-                                      "'{2}={2}' if it is none",
-                                      map_option, guesses[i].meaning, name));
+// True if the cells of that column, below the row that was read last, are finger numbers or say
+// none. Greater numbers are no fingers of a hand.
+bool has_fingers(CsvReader rows, std::size_t column) {
+  constexpr int most_fingers = 9;
+  bool any = false;
+  try {
+    for (CsvRow row; rows.next(row);) {
+      any |= read_held(trimmed(row.fields[column]), most_fingers) != Grasp{};
+    }
+  } catch (const InputError&) {
+    return false;
+  }
+  return any;
+}
+
+void require_units_of_force(Header& header, const ReadingOptions& options) {
+  for (std::size_t i = 0; i < header.columns().size(); ++i) {
+    const DataColumn& column = header.columns()[i];
+    if (column.role != DataRole::covariate || is_said(column.name, options)) continue;
+    const auto found = tension_in_no_unit_of_force(column.name);
+    if (found && !has(header, found->meant)) fail_no_force(header, i, found->unit, options);
   }
 }
 
@@ -159,14 +157,64 @@ void require_tensions_of_deviations(Header& header) {
 
 }  // namespace
 
+bool is_said(const std::string& column, const ReadingOptions& options) {
+  return std::ranges::find(options.map, column, &ColumnMeaning::column) != options.map.end();
+}
+
+std::vector<GuessedColumn> guess_covariates(const Header& header,
+                                            const std::optional<CsvRow>& units,
+                                            const ReadingOptions& options) {
+  std::vector<GuessedColumn> found;
+  for (std::size_t i = 0; i < header.columns().size(); ++i) {
+    const DataColumn& column = header.columns()[i];
+    found.emplace_back();
+    if (column.role != DataRole::covariate || is_said(column.name, options)) continue;
+    found.back() = guess_column(column.name, unit_of_column(column.name, units, i));
+  }
+  return found;
+}
+
+void require_said(Header& header, const CsvReader& csv, std::vector<GuessedColumn> guesses,
+                  const ReadingOptions& options, bool (*is_asked)(DataRole)) {
+  if (options.map_option.empty()) return;
+  for (std::size_t i = 0; i < guesses.size(); ++i) {
+    GuessedColumn& guess = guesses[i];
+    if (guess.may_be_held && !header.has(DataRole::held) && has_fingers(csv, i)) {
+      guess.meaning = "held";
+    }
+    const auto meaning = try_column_named(guess.meaning);
+    if (!meaning || !is_asked(meaning->role)) continue;
+    if (!matters(*meaning, guess) || has(header, *meaning)) continue;
+    const std::string name = for_message(guess.name);
+    header.fail_column(i, fmt::format("its meaning, which may be {1}: {0} '{2}={1}', or {0} "
+                                      "'{2}={2}' if it is none",
+                                      options.map_option, guess.meaning, name));
+  }
+}
+
+void fail_no_force(Header& header, std::size_t column, const std::string& unit,
+                   const ReadingOptions& options) {
+  const std::string name = for_message(header.columns()[column].name);
+  std::string expected = fmt::format("a unit of force ({})", unit_names(Dimension::force));
+  expected += options.map_option.empty() ? std::string(", or another name if it is no tension")
+                                         : fmt::format(", or {} '{}={}' if it is no tension",
+                                                       options.map_option, name, name);
+  const std::string reason = guess_column(header.columns()[column].name, unit).reason;
+  if (!reason.empty()) expected += "; " + reason;
+  header.fail({.what = fmt::format("column {} '{}': the unit {} is no force", column + 1, name,
+                                   for_message(unit)),
+               .expected = std::move(expected)});
+}
+
 DataColumns read_columns(const CsvReader& csv, const std::optional<CsvRow>& units,
                          const ReadingOptions& options, FaultList& faults) {
   Header header(csv, units, options, file_of_readings, faults);
   require_noise(header, options);
   require_no_log(csv, header.columns());
-  const std::vector<GuessedColumn> guessed = guesses(header, units, options);
+  const std::vector<GuessedColumn> guessed = guess_covariates(header, units, options);
   require_columns(header, guessed, options.map_option);
-  require_said(header, guessed, options.map_option);
+  require_said(header, csv, guessed, options, [](DataRole) { return true; });
+  require_units_of_force(header, options);
   require_tensions_of_deviations(header);
   return header.finish();
 }

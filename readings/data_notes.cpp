@@ -139,9 +139,8 @@ void note_grasps(MeasuredData& data) {
     return !reading.grasp_assumed && data.routings[reading.routing].network.fingers > 1;
   });
   if (assumed == 0 || some_are_said) return;
-  data.notes.push_back(
-      {NoteKind::assumed, held_is_assumed(static_cast<std::size_t>(assumed), data.readings.size(),
-                                          "rows")});
+  data.notes.push_back({NoteKind::assumed, held_is_assumed(static_cast<std::size_t>(assumed),
+                                                           data.readings.size(), "rows")});
 }
 
 // The clock gives rows their order, and is no news to whoever logged it.
@@ -190,7 +189,7 @@ void leave_out_negative_motor_tensions(MeasuredData& data) {
   if (data.readings.empty()) {
     throw InputError({.where = data.file,
                       .what = "motor_tension_N is below zero in every row",
-                      .expected = "motor tensions from 0"});
+                      .expected = "motor tensions from 0: exchange the sign of that column"});
   }
   data.notes.push_back(
       {NoteKind::not_compared,

@@ -10,6 +10,7 @@
 
 #include "core/text.hpp"
 #include "readings/column_name.hpp"
+#include "readings/columns.hpp"
 #include "readings/units.hpp"
 
 namespace reeve::readings {
@@ -45,10 +46,15 @@ constexpr std::array label_hints{
     Hint{"temp", "temperature"},
 };
 
+// Words for a grasp that may be other things: only the cells tell.
+constexpr std::array<std::string_view, 7> parts_of_grasp{"grasp",   "finger",   "blocked", "fixed",
+                                                         "holding", "obstacle", "griff"};
+
 constexpr std::array<std::string_view, 9> parts_of_force{
     "kraft", "force", "tension", "seilzug", "zugkraft", "load", "last", "wägezelle", "fz"};
-constexpr std::array<std::string_view, 7> parts_of_motor{
-    "motor", "antrieb", "aktor", "actuator", "gesamt", "total", "schlitten"};
+constexpr std::array<std::string_view, 5> parts_of_drive{"motor", "antrieb", "aktor", "actuator",
+                                                         "schlitten"};
+constexpr std::array<std::string_view, 2> parts_of_sum{"gesamt", "total"};
 
 // Quantities that a motor logs in place of its pull.
 constexpr std::array<std::string_view, 2> parts_of_current{"strom", "current"};
@@ -78,17 +84,24 @@ std::optional<std::string> number_in_name(const std::string& letters) {
   return std::string(begin, end);
 }
 
+// True of "Motor [N]", "Motor_N" and "Motor" above a unit of force.
+bool has_unit_of_force(const std::string& name, const std::string& unit) {
+  return find_unit(unit, Dimension::force) || unit_at_the_end(name, Dimension::force);
+}
+
 class ColumnGuess {
  public:
   // `unit` is as the name or the row of units has it, or "".
   ColumnGuess(const std::string& name, std::string unit)
       : words_(words_of(name)),
         letters_(joined(words_, words_.words.size())),
-        unit_(std::move(unit)) {}
+        unit_(std::move(unit)),
+        is_in_force_(has_unit_of_force(name, unit_)) {}
 
   GuessedColumn guess() const {
     if (const std::string reason = no_tension(); !reason.empty()) return unknown(reason);
     if (has_part(letters_, parts_of_force)) return tension();
+    if (has_part(letters_, parts_of_drive) && is_in_force_) return guessed("motor_tension");
     if (const std::string clock = hinted(letters_, clock_hints); !clock.empty()) {
       return in_unit_of(clock, Dimension::time);
     }
@@ -127,7 +140,9 @@ class ColumnGuess {
   }
 
   GuessedColumn named_tension() const {
-    if (has_part(letters_, parts_of_motor)) return guessed("motor_tension");
+    if (has_part(letters_, parts_of_drive) || has_part(letters_, parts_of_sum)) {
+      return guessed("motor_tension");
+    }
     const auto number = number_in_name(letters_);
     if (!number || number->front() == '0') {
       return unknown(
@@ -152,6 +167,7 @@ class ColumnGuess {
   NameWords words_;
   std::string letters_;
   std::string unit_;
+  bool is_in_force_;
 };
 
 }  // namespace
@@ -159,6 +175,8 @@ class ColumnGuess {
 GuessedColumn guess_column(const std::string& name, const std::string& unit) {
   GuessedColumn column = ColumnGuess(name, unit).guess();
   column.name = name;
+  column.has_unit = has_unit_of_force(name, unit);
+  column.may_be_held = column.meaning.empty() && has_part(lower(name), parts_of_grasp);
   return column;
 }
 

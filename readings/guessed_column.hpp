@@ -26,7 +26,9 @@ struct GuessedColumn {
   std::string name;     // name in the file
   std::string meaning;  // without a unit, which the name or the row of units has; "" if unknown
   GuessKind kind = GuessKind::unknown;
-  std::string reason;  // reason against its apparent meaning; usually ""
+  std::string reason;        // reason against its apparent meaning; usually ""
+  bool may_be_held = false;  // if its cells are finger numbers
+  bool has_unit = false;     // its name or the row of units says one of force
 };
 
 // `unit` is as unit_of_column has it.

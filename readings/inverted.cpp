@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -130,6 +131,13 @@ bool is_inverted(const LoggedSeries& series, const LoggedSignal& signal) {
   return signs.nearly_all_below() && falls_with_load(by_label);
 }
 
+// Whether it falls with the load does not show where pulling and releasing are mixed.
+bool is_below_zero(const LoggedSignal& signal) {
+  const auto below =
+      std::ranges::count_if(signal.values, [](double value_N) { return value_N < 0; });
+  return 10 * static_cast<std::size_t>(below) > 9 * signal.values.size();
+}
+
 }  // namespace
 
 std::optional<DataNote> inverted_channels(const MeasuredData& data) {
@@ -145,6 +153,11 @@ std::optional<DataNote> inverted_signals(const LoggedSeries& series) {
   std::vector<std::string> names;
   for (const LoggedSignal* sensor : series.sensors()) {
     if (is_inverted(series, *sensor)) names.push_back(sensor->name);
+  }
+  if (names.empty() && std::ranges::all_of(series.tensions_N, is_below_zero)) {
+    return DataNote{NoteKind::inverted,
+                    "all tensions are below zero, which no tendon does: exchange their sign in the "
+                    "file, and that of the motor tension if it is below zero too"};
   }
   return note_on(names);
 }

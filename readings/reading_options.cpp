@@ -77,7 +77,8 @@ std::string noise_text(const KnownNoise& noise) {
 
 ColumnMeaning parse_column_meaning(const std::string& text) {
   const auto parts = split_at_last_equals(text);
-  if (!parts || parts->column.empty() || !column_named(parts->value)) {
+  const bool is_none = parts && parts->column == parts->value;  // it is what its name says
+  if (!parts || parts->column.empty() || (!is_none && !column_named(parts->value))) {
     throw InputError({.value = text,
                       .expected = "a column of the file, '=', and a name that reeve knows, such as "
                                   "'Kraft Motor=motor_tension_N'"});

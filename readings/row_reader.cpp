@@ -49,7 +49,9 @@ class RoutingTable {
   std::size_t index(std::string_view text) {
     const auto found = by_text_.find(text);
     if (found != by_text_.end()) return found->second;
-    if (text.empty()) throw InputError({.expected = "a routing such as M-1-T-2-F"});
+    if (text.empty())
+      throw InputError(
+          {.expected = "a routing such as M-1-T-2-F (if cells were merged, fill them down)"});
     const std::size_t index = add(resolve_(std::string(text)));
     by_text_.emplace(text, index);
     return index;
@@ -186,7 +188,7 @@ class RowReader {
       reading.tension_N.resize(data_.channels.size());
       reading.error_N.resize(data_.channels.size());
     }
-    cells_.note_cells_without_name(data_.notes);
+    cells_.note_cells(data_.notes);
     set_known_noise();
     set_covariates();
     cells_.note_zeros(data_.notes);
@@ -204,7 +206,10 @@ class RowReader {
 
   void read_words(const CsvRow& row, Reading& reading) {
     const auto run = word(row, DataRole::run, [&](std::string_view text) {
-      if (text.empty()) throw InputError({.expected = "a name or number for the run"});
+      if (text.empty()) {
+        throw InputError(
+            {.expected = "a name or number for the run (if cells were merged, fill them down)"});
+      }
       require_short_name(text);
       return runs_.place_of(text);
     });

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -48,6 +49,10 @@ void require_measurable(double tension_N) {
   throw InputError({.expected = fmt::format("0, or a tension of at least {} N", least_N)});
 }
 
+constexpr const char* summary_text =
+    "rows named as a summary, such as mean or sd, are left out: if they are readings, give their run "
+    "another name";
+
 }  // namespace
 
 Beginning read_beginning(CsvReader& csv, const ReadingOptions& options, FaultList& faults) {
@@ -86,14 +91,20 @@ void require_rows(const CsvReader& csv, std::size_t rows, const std::vector<Data
   if (rows > 0) return;
   const bool zeros = std::any_of(notes.begin(), notes.end(),
                                  [](const DataNote& note) { return note.kind == NoteKind::tare; });
+  const bool summary = std::ranges::find(notes, summary_text, &DataNote::text) != notes.end();
   throw InputError({.where = fmt::format("{}:{}", csv.name(), csv.header().line),
                     .expected = zeros ? "readings below the header, and there are rows of zeros "
                                         "(tare) alone"
-                                      : "rows below the header, and there are none"});
+                                : summary
+                                    ? "readings below the header, and there are rows of summary "
+                                      "alone: give their runs other names"
+                                    : "rows below the header, and there are none"});
 }
 
 Grasp read_held(std::string_view text, int fingers) {
-  std::string held = lower(text);
+  std::string held = lower(without_brackets(text));
+  // A number of a spreadsheet or of pandas.
+  if (held.ends_with(".0")) held.resize(held.size() - 2);
   std::replace(held.begin(), held.end(), ';', ',');
   held.erase(std::remove(held.begin(), held.end(), ' '), held.end());
   if (is_missing(held) || held == "none") return {};
@@ -101,8 +112,8 @@ Grasp read_held(std::string_view text, int fingers) {
   // grasp_named reads the form of core: "1,2".
   if (const auto grasp = grasp_named(held, fingers)) return *grasp;
   throw InputError(
-      {.expected = fmt::format("nothing (none held), or finger numbers from 1 to {}, each "
-                               "once, such as {}",
+      {.expected = fmt::format("{}, or finger numbers from 1 to {}, each once, such as {}",
+                               held == "0" ? "none (no finger held)" : "nothing (none held)",
                                fingers, fingers > 1 ? "1;2" : "1")});
 }
 
@@ -141,6 +152,10 @@ std::optional<RowCells::Numbers> RowCells::numbers(const CsvRow& row) {
     faults_.add(row.line, "rows of another length", *row.ragged);
     return std::nullopt;
   }
+  if (is_summary(row)) {
+    lines_of_summary_.push_back(row.line);
+    return std::nullopt;
+  }
   Numbers result(columns_.size());
   bool has_cell_without_name = false;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -162,6 +177,54 @@ std::optional<RowCells::Numbers> RowCells::numbers(const CsvRow& row) {
 
 bool says_tare(std::string_view name) { return lower(trimmed(name)) == "tare"; }
 
+bool says_summary(std::string_view name) {
+  constexpr std::array words{"mean",
+                             "average",
+                             "avg",
+                             "median",
+                             "sd",
+                             "std",
+                             "stdev",
+                             "std dev",
+                             "stddev",
+                             "min",
+                             "max",
+                             "minimum",
+                             "maximum",
+                             "sum",
+                             "total",
+                             "mittel",
+                             "summe",
+                             "mittelwert",
+                             "stabw",
+                             "gesamt",
+                             "standard deviation",
+                             "standardabweichung"};
+  const std::string text = lower(trimmed(name));
+  return std::ranges::find(words, text.substr(0, text.find(':'))) != words.end();
+}
+
+void PointCount::add(std::string_view text, std::size_t line) {
+  if (text.starts_with('-')) text.remove_prefix(1);
+  const std::size_t before = std::min(text.find('.'), text.size());
+  const bool is_whole = before == text.size() && before <= 3;
+  const bool is_of_three = before + 4 == text.size() && before <= 3 && !text.starts_with('0');
+  if (is_whole && text != "0" && whole == 0) whole = line;
+  if (is_of_three && of_three == 0) of_three = line;
+  has_others |= !is_whole && !is_of_three;
+}
+
+// Of a table without a name for its rows, such as pandas writes, the word is in such a column.
+bool RowCells::is_summary(const CsvRow& row) const {
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const DataRole role = columns_[i].role;
+    const bool is_label =
+        !is_of_numbers(role) && role != DataRole::covariate && role != DataRole::group;
+    if (is_label && says_summary(row.fields[i])) return true;
+  }
+  return false;
+}
+
 bool RowCells::is_tare(const CsvRow& row) const {
   const auto cell_says_tare = [&](DataRole role) {
     const auto column = find_column(columns_, role);
@@ -173,9 +236,14 @@ bool RowCells::is_tare(const CsvRow& row) const {
 std::optional<double> RowCells::number(const CsvRow& row, std::size_t column) {
   return at(row, column,
             [&](std::string_view text) -> std::optional<double> {
-              if (is_missing(text)) return std::nullopt;
+              if (is_missing(text)) {
+                if (marks_an_error(text)) errors_.emplace_back(text, row.line);
+                return std::nullopt;
+              }
               const double value = read_number(text, row.line, columns_[column], numbers_);
-              if (is_of_sensor(columns_[column].role)) require_measurable(value);
+              if (!is_of_sensor(columns_[column].role)) return value;
+              require_measurable(value);
+              if (csv_.separator() != ',') points_[column].add(text, row.line);
               return value;
             })
       .value_or(std::nullopt);
@@ -213,10 +281,37 @@ void RowCells::add_fault(const CsvRow& row, std::size_t column, const InputError
              cell_error(error, csv_.name(), row.line, name, text).fault());
 }
 
-void RowCells::note_cells_without_name(std::vector<DataNote>& notes) const {
-  if (lines_without_name_.empty()) return;
-  notes.push_back(
-      {NoteKind::passed_over, "cells in columns without a name are not read", lines_without_name_});
+void RowCells::note_cells(std::vector<DataNote>& notes) const {
+  try {
+    numbers_.require_no_doubt();
+  } catch (const InputError& error) {
+    throw error.at(csv_.name());
+  }
+  const auto add = [&](NoteKind kind, std::string text, const std::vector<std::size_t>& lines) {
+    if (!lines.empty()) notes.push_back({kind, std::move(text), lines});
+  };
+  add(NoteKind::passed_over, "cells in columns without a name are not read", lines_without_name_);
+  add(NoteKind::passed_over, summary_text, lines_of_summary_);
+  std::vector<std::size_t> lines_of_errors;
+  for (const auto& [word, line] : errors_) lines_of_errors.push_back(line);
+  add(NoteKind::passed_over,
+      fmt::format(
+          "an error or a word in place of a number is read as an empty cell: {} cell{}, '{}' "
+          "first",
+          errors_.size(), errors_.size() == 1 ? "" : "s",
+          errors_.empty() ? "" : for_message(errors_.front().first)),
+      lines_of_errors);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const PointCount& points = points_[i];
+    if (points.of_three == 0 || points.whole == 0 || points.has_others) continue;
+    notes.push_back(
+        {NoteKind::units,
+         fmt::format("column '{}' has numbers with three digits behind a point beside "
+                     "whole numbers: are these thousands separators? They are read as "
+                     "decimal points",
+                     for_message(columns_[i].name)),
+         {std::min(points.of_three, points.whole), std::max(points.of_three, points.whole)}});
+  }
 }
 
 void RowCells::note_zeros(std::vector<DataNote>& notes) const {

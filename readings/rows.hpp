@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -73,6 +74,17 @@ class Tare {
 
 // True if a run or a routing of this name marks a row of zeros.
 bool says_tare(std::string_view name);
+// True if a run of this name is a summary of the rows above it: mean, SD, total.
+bool says_summary(std::string_view name);
+
+// Numbers of a column in which points may part thousands: 24.665 beside 833.
+struct PointCount {
+  std::size_t of_three = 0;  // line of the first number with three digits behind its point
+  std::size_t whole = 0;     // line of the first from 1 to 999 without a point
+  bool has_others = false;   // numbers in which the point is a decimal one
+
+  void add(std::string_view text, std::size_t line);
+};
 
 class RowCells {
  public:
@@ -85,7 +97,8 @@ class RowCells {
         faults_(faults),
         numbers_(csv.separator()),
         covariates_(columns.size(), numbers_),
-        tare_(columns.size()) {}
+        tare_(columns.size()),
+        points_(columns.size()) {}
 
   // Returns the numbers of a row in reeve's units, by column, without the zeros of the sensors;
   // those of covariates apart. Nothing of a row of zeros, or of another length.
@@ -110,13 +123,14 @@ class RowCells {
   void add_fault(const CsvRow& row, std::size_t column, const InputError& error,
                  FaultList& faults) const;
 
-  // Add a note, if there is something to note, on cells in columns without a name, and on zeros.
-  void note_cells_without_name(std::vector<DataNote>& notes) const;
+  // Add notes, if there is something to note, on cells and rows that are not read, and on zeros.
+  void note_cells(std::vector<DataNote>& notes) const;
   void note_zeros(std::vector<DataNote>& notes) const;
   const std::vector<std::size_t>& lines_of_zeros() const { return tare_.lines(); }
 
  private:
   bool is_tare(const CsvRow& row) const;
+  bool is_summary(const CsvRow& row) const;
   std::optional<double> number(const CsvRow& row, std::size_t column);
   static double read_number(std::string_view text, std::size_t line, const DataColumn& column,
                             CsvNumberReader& numbers);
@@ -128,6 +142,9 @@ class RowCells {
   std::vector<CsvNumberReader> covariates_;  // [column]
   Tare tare_;
   std::vector<std::size_t> lines_without_name_;
+  std::vector<std::size_t> lines_of_summary_;
+  std::vector<std::pair<std::string, std::size_t>> errors_;  // words in place of numbers, lines
+  std::vector<PointCount> points_;                           // [column]
 };
 
 }  // namespace reeve::readings

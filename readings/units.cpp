@@ -48,6 +48,7 @@ constexpr std::array known_units{
     KnownUnit{{Dimension::time, "s", 1, 0}, {"s", "sec", "seconds"}},
     KnownUnit{{Dimension::time, "ms", 1e-3, 0}, {"ms"}},
     KnownUnit{{Dimension::time, "µs", 1e-6, 0}, {"us", "µs"}},
+    KnownUnit{{Dimension::time, "ns", 1e-9, 0}, {"ns"}},
     KnownUnit{{Dimension::time, "min", 60, 0}, {"min"}},
 };
 

@@ -123,6 +123,9 @@ std::string run_of(const std::string& text) {
   if (says_tare(text)) {
     throw InputError({.expected = "another name: a row of that run holds the sensors' zeros"});
   }
+  if (says_summary(text)) {
+    throw InputError({.expected = "another name: a row of that run is a summary of others"});
+  }
   return text;
 }
 
@@ -148,19 +151,12 @@ void validate_labels(const LoggedSeries& series, const std::vector<LogLabels>& l
 // The user must not think that the tool knows which finger an object stops.
 void note_held(LoggedSeries& series, const std::vector<LogLabels>& labels,
                const RoutingResolver& resolve) {
-  const bool is_open = std::ranges::all_of(
-      labels, [](const LogLabels& label) { return leaves_held_open(trimmed(label.held)); });
-  if (!is_open) return;
-  std::vector<bool> has_choice;  // [label]
-  for (const LogLabels& label : labels) {
-    has_choice.push_back(network_of(label.routing, resolve).fingers > 1);
-  }
-  const auto assumed =
-      std::ranges::count_if(series.label, [&](std::size_t label) { return has_choice[label]; });
-  if (assumed == 0) return;
+  const auto is_open = [&](const LogLabels& label) {
+    return leaves_held_open(trimmed(label.held)) && network_of(label.routing, resolve).fingers > 1;
+  };
+  if (!std::ranges::all_of(labels, is_open)) return;
   series.notes.push_back(
-      {NoteKind::assumed,
-       held_is_assumed(static_cast<std::size_t>(assumed), series.size(), "samples")});
+      {NoteKind::assumed, held_is_assumed(series.size(), series.size(), "samples")});
 }
 
 }  // namespace

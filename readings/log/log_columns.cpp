@@ -6,6 +6,8 @@
 #include <array>
 #include <string>
 
+#include "readings/data_columns.hpp"
+
 namespace reeve::readings {
 namespace {
 
@@ -190,35 +192,23 @@ void require_no_missed_motion(Header& header) {
   }
 }
 
-// Returns the tension that a column would be in another unit: "T3 [V]", "Motor Tension (Nm)".
-// Nothing of a name whose unit tells another quantity, such as the temperature "T3 [°C]".
-std::optional<ColumnName> tension_in_no_unit_of_force(std::string_view name) {
-  const NameWords words = words_of(name);
-  if (!words.bracketed || is_unit(*words.bracketed)) return std::nullopt;
-  const std::string before(name.substr(0, name.find_last_of("[(")));
-  const auto named = try_column_named(before + "[N]");
-  return named && is_of_sensor(named->role) ? named : std::nullopt;
-}
-
 // Without the motor tension other samples are steady than with it, and what is left are shares. Of
 // another tension it is enough to say that readings will not have it.
-void require_no_missed_tension(Header& header) {
+void require_no_missed_tension(Header& header, const ReadingOptions& options) {
   const std::string units = unit_names(Dimension::force);
   for (std::size_t i = 0; i < header.columns().size(); ++i) {
     const DataColumn& column = header.columns()[i];
-    if (column.role != DataRole::covariate) continue;
+    if (column.role != DataRole::covariate || is_said(column.name, options)) continue;
     const auto meant = tension_in_no_unit_of_force(column.name);
     if (!meant) continue;
-    if (meant->role == DataRole::motor_tension && !header.has(DataRole::motor_tension)) {
-      header.fail_column(i, fmt::format("the motor tension with a unit of force ({}), or another "
-                                        "name if it is none",
-                                        units));
+    if (meant->meant.role == DataRole::motor_tension && !header.has(DataRole::motor_tension)) {
+      fail_no_force(header, i, meant->unit, options);
       continue;
     }
     header.note_covariate(
         fmt::format("column '{}' has the name of a tension and no unit of force ({}): it is "
                     "averaged as it is, and readings do not have it as {}",
-                    for_message(column.name), units, plain_name(*meant)));
+                    for_message(column.name), units, plain_name(meant->meant)));
   }
 }
 
@@ -235,7 +225,10 @@ DataColumns read_log_columns(const CsvReader& csv, const std::optional<CsvRow>& 
   require_comparable(header, options);
   require_routing(header, options);
   require_no_missed_motion(header);
-  require_no_missed_tension(header);
+  require_no_missed_tension(header, options);
+  require_said(header, csv, guess_covariates(header, units, options), options, [](DataRole role) {
+    return role == DataRole::motor_tension || role == DataRole::held;
+  });
   return header.finish();
 }
 

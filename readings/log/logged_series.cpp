@@ -67,6 +67,12 @@ bool is_label(DataRole role) {
          role == DataRole::direction;
 }
 
+bool has_form_of_number(std::string_view text) {
+  const auto marks = std::ranges::count_if(text, [](char c) { return c == '.' || c == ','; });
+  return (marks < 2 && text.find_first_not_of("0123456789+-eE.,") == std::string_view::npos) ||
+         is_missing(text);
+}
+
 // Row by row into columns; what is wrong goes to the list of faults.
 class LogReader {
  public:
@@ -85,12 +91,31 @@ class LogReader {
 
   void read(const CsvRow& row) {
     if (row.ragged || !clock_ || !is_date_or_time(trimmed(row.fields[*clock_]))) {
-      return read_cells(row);
+      if (garbled_.size() == most_garbled || !is_garbled(row)) return read_cells(row);
+      garbled_.push_back(row);
+      return;
     }
     refuse_date(row);
     CsvRow rest = row;  // all else that is wrong there is told, too
     rest.fields[*clock_] = "0";
     read_cells(rest);
+  }
+
+  // Once all rows are read. A serial line loses characters now and then, and a device writes a line
+  // of words; where such rows are many, the file is another one than it seems, and each is a fault.
+  void settle_garbled() {
+    const std::size_t rows = series_.lines.size() + garbled_.size();
+    if (garbled_.size() == most_garbled || garbled_.size() * rows_per_garbled > rows) {
+      for (const CsvRow& row : garbled_) read_cells(row);
+      return;
+    }
+    if (garbled_.empty()) return;
+    DataNote note{NoteKind::passed_over,
+                  fmt::format("{} of {} rows are no samples (words, or cells that are missing, cut "
+                              "or joined): they are left out",
+                              garbled_.size(), rows)};
+    for (const CsvRow& row : garbled_) note.lines.push_back(row.line);
+    series_.notes.push_back(std::move(note));
   }
 
   LoggedSeries finish() {
@@ -106,7 +131,7 @@ class LogReader {
     }
     series_.zeroed_at.erase(std::unique(series_.zeroed_at.begin(), series_.zeroed_at.end()),
                             series_.zeroed_at.end());
-    cells_.note_cells_without_name(series_.notes);
+    cells_.note_cells(series_.notes);
     cells_.note_zeros(series_.notes);
     return std::move(series_);
   }
@@ -118,6 +143,20 @@ class LogReader {
     std::vector<double> numbers;  // empty if it is text
     LogWords words;
   };
+
+  static constexpr std::size_t most_garbled = 10'000;
+  static constexpr std::size_t rows_per_garbled = 50;  // 2 %
+
+  // A cell that is empty is none: what lacks it is told.
+  bool is_garbled(const CsvRow& row) const {
+    if (row.ragged) return true;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const bool is_numeric =
+          is_of_numbers(columns_[i].role) || (values_[i].is_decided && !values_[i].is_text);
+      if (is_numeric && !has_form_of_number(trimmed(row.fields[i]))) return true;
+    }
+    return false;
+  }
 
   // Once, since the column has them throughout.
   void refuse_date(const CsvRow& row) {
@@ -256,7 +295,8 @@ class LogReader {
   RowCells cells_;
   std::optional<std::size_t> clock_;
   bool has_dates_ = false;
-  std::vector<Values> values_;  // [column]
+  std::vector<CsvRow> garbled_;  // rows that are left out or faults, as far as they are kept
+  std::vector<Values> values_;   // [column]
   LoggedSeries series_;
 };
 
@@ -266,6 +306,7 @@ LoggedSeries read(CsvReader csv, const ReadingOptions& options) {
   DataColumns columns = read_log_columns(csv, beginning.units, options, faults);
   LogReader rows(csv, columns.columns, faults);
   each_row(csv, beginning, faults, [&](const CsvRow& row) { rows.read(row); });
+  rows.settle_garbled();
   faults.throw_any(csv.name());
   LoggedSeries series = rows.finish();
   require_rows(csv, series.lines.size(), series.notes);

@@ -11,8 +11,7 @@ namespace reeve::testing {
 namespace {
 
 TEST(ADirection, ThatIsMissingIsAssumedAndCounted) {
-  const MeasuredData data =
-      read_data(
+  const MeasuredData data = read_data(
       "run,routing,held,direction,T1_N\nA,TR5,1,,1\nA,TR5,1,release,2\nA,TR5,1,-,3\n"
       "A,TR5,1,pull,4\n");
   EXPECT_TRUE(data.readings[0].direction_assumed);
@@ -20,9 +19,9 @@ TEST(ADirection, ThatIsMissingIsAssumedAndCounted) {
   EXPECT_FALSE(data.readings[3].direction_assumed);
   EXPECT_EQ(note_text(data.notes, NoteKind::assumed),
             "the direction is not given in 2 of 4 rows: pull is assumed");
-  EXPECT_EQ(
-      count_notes(read_data("run,routing,held,direction,T1_N\nA,TR5,1,pull,1\n").notes, NoteKind::assumed),
-      0U);
+  EXPECT_EQ(count_notes(read_data("run,routing,held,direction,T1_N\nA,TR5,1,pull,1\n").notes,
+                        NoteKind::assumed),
+            0U);
 }
 
 // Ten rows of M-1-F, that many of them with those tensions and the others as they are pulled.

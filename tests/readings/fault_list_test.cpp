@@ -28,7 +28,7 @@ TEST(AllFaults, AreListedTogetherByTheirLines) {
       "  d.csv:2: column 'direction' = 'push': expected pull, release, or an empty cell\n"
       "  d.csv:3:6: 2 fields: expected 7, as many as the header in line 1 "
       "has\n"
-      "  d.csv:4: column 'run' = '': expected a name or number for the run\n"
+      "  d.csv:4: column 'run' = '': expected a name or number for the run (if cells were merged, fill them down)\n"
       "  d.csv:4: column 'routing' = 'M-1-Q': routing 'M-1-Q', column 5: unknown token 'Q': "
       "expected M, F, T, B, P, a finger such as 1, 2b or 3x, a block such as Y1 or Y1k, or a "
       "bar such as W1\n"

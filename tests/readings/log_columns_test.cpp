@@ -108,6 +108,18 @@ std::string doubt_of_speed(const std::string& clock, double step) {
   return note_text(parse_logged_series(text, "log.csv", options).notes, NoteKind::clock);
 }
 
+TEST(LogColumns, HaveAClockInTheUnitThatItsNameSays) {
+  const auto second = [](const std::string& clock, const char* cell) {
+    return sample(clock + ",T1_N,T2_N", std::string(cell) + ",1,2").time_s;
+  };
+  EXPECT_EQ(second("t_us", "1500000"), Values{1.5});
+  EXPECT_EQ(second("t_ns", "1500000000"), Values{1.5});
+  EXPECT_EQ(second("time_ns", "1500000000"), Values{1.5});
+  EXPECT_EQ(second("millis", "1500"), Values{1.5});
+  EXPECT_EQ(second("micros", "1500000"), Values{1.5});
+  EXPECT_EQ(second("elapsed_ms", "1500"), Values{1.5});
+}
+
 // Seconds in a column of milliseconds, and days.
 TEST(LogColumns, NoteAClockThatIsTooFastForACarriage) {
   EXPECT_EQ(doubt_of_speed("t_ms", 0.01),
@@ -129,9 +141,11 @@ TEST(LogColumns, ThatWouldBeTensionsInAnotherUnitAreReported) {
             "column 'T3 [V]' has the name of a tension and no unit of force " + units +
                 ": it is averaged as it is, and readings do not have it as T3_N");
   EXPECT_EQ(log_error("t,Motor Tension [Nm],T1_N,T2_N\n0,1,2,3\n"),
-            "log.csv:1: column 2 'Motor Tension [Nm]': expected the motor tension with a unit of "
+            "log.csv:1: column 2 'Motor Tension [Nm]': the unit Nm is no force: expected a unit of "
             "force " +
-                units + ", or another name if it is none");
+                units +
+                ", or another name if it is no tension; a torque is no tension; divided by the "
+                "spool's radius it would be motor_tension_N");
   const LoggedSeries both = sample("t,motor_tension_N,Motor Tension (V),T1_N", "0,1,2,3");
   EXPECT_EQ(both.motor_tension_N.values, Values{1});
   EXPECT_EQ(count_notes(both.notes, NoteKind::covariate), 1U);

@@ -84,6 +84,22 @@ TEST(TextThatGoesWithTheSamples, DoesNotCutTheLog) {
             "read");
 }
 
+TEST(RowsOfALogThatAreNotNumbers, AreLeftOutIfTheyAreFew) {
+  const auto log = [](std::size_t rows, const std::string& garbled) {
+    std::string text = "t_ms,T1_N,T2_N,note\n";
+    for (std::size_t i = 0; i < rows; ++i) text += fmt::format("{},1,2,ok\n", 10 * i);
+    return text + garbled + "9999,1,2,ok\n";
+  };
+  for (const char* garbled : {"Calibrating... done\n", "10,1.5\n", "10,1.2.3,2,ok\n", "10,x,2,ok\n",
+                              "10,1,2,3,4,5,6\n"}) {
+    const LoggedSeries series = log_of(log(60, garbled));
+    EXPECT_EQ(series.size(), 61U) << garbled;
+    EXPECT_EQ(noted_lines(series.notes, NoteKind::passed_over), std::vector<std::size_t>{62})
+        << garbled;
+    EXPECT_NE(log_error(log(40, garbled)), "no such error was thrown") << garbled;
+  }
+}
+
 TEST(BadLog, IsNamedWithWhatItsHeaderLacks) {
   expect_refused({
       {"T1_N,T2_N\n1,2\n",

@@ -69,6 +69,19 @@ TEST(MeasuredData, ReadHeldFingersInEachWayOfWriting) {
   EXPECT_EQ(data.readings[3].grasp, hold({1, 2}));
 }
 
+TEST(MeasuredData, ReadHeldFingersAsPandasWritesThem) {
+  const MeasuredData data = read_data(
+      "run,routing,held,T1_N\nA,TR5,1.0,1\nA,TR5,[2],1\nA,TR5,\"[1, 2]\",1\nA,TR5,[],1\n");
+  EXPECT_EQ(data.readings[0].grasp, hold({1}));
+  EXPECT_EQ(data.readings[1].grasp, hold({2}));
+  EXPECT_EQ(data.readings[2].grasp, hold({1, 2}));
+  EXPECT_EQ(data.readings[3].grasp, Grasp{});
+  EXPECT_EQ(
+      data_error("run,routing,held,T1_N\nA,TR5,0,1\n"),
+      "d.csv:2: column 'held' = '0': expected none (no finger held), or finger numbers from 1 "
+      "to 2, each once, such as 1;2");
+}
+
 TEST(MeasuredData, MayComeWithSemicolonsAndDecimalCommas) {
   const MeasuredData data = read_data("run;routing;held;T1_N\nA;TR5;\"1;2\";2,5\n");
   EXPECT_EQ(data.readings[0].tension_N[0], 2.5);
@@ -114,7 +127,7 @@ TEST(BadCell, IsNamedWithLineColumnValueAndWhatWasExpected) {
               "d.csv:3: column '" + column + "' = '" + cell + "': " + message);
   };
   expect("T2_N", "-2e9", "expected a number from -1000000000 to 1000000000, or an empty cell");
-  expect("T2_N", "inf", "expected a number from -1000000000 to 1000000000, or an empty cell");
+  expect("T2_N", "1e999", "expected a number from -1000000000 to 1000000000, or an empty cell");
   expect("T2_N", "2 N", "expected a number from -1000000000 to 1000000000, or an empty cell");
   expect("motor_tension_N", "-2e9",
          "expected a number from -1000000000 to 1000000000, or an empty cell");
@@ -124,14 +137,16 @@ TEST(BadCell, IsNamedWithLineColumnValueAndWhatWasExpected) {
   expect("direction", "push", "expected pull, release, or an empty cell");
   const std::string held =
       "expected nothing (none held), or finger numbers from 1 to 2, each once, such as 1;2";
-  for (const char* cell : {"3", "0", "1;1", "1;", "one"}) expect("held", cell, held);
+  for (const char* cell : {"3", "1.5", "1;1", "1;", "one"}) expect("held", cell, held);
 }
 
 TEST(BadRow, NamesTheRoutingThatIsNone) {
-  EXPECT_EQ(data_error("run,routing,T1_N\nA,,1\n"),
-            "d.csv:2: column 'routing' = '': expected a routing such as M-1-T-2-F");
-  EXPECT_EQ(data_error("run,routing,T1_N\n,TR5,1\n"),
-            "d.csv:2: column 'run' = '': expected a name or number for the run");
+  EXPECT_EQ(
+      data_error("run,routing,T1_N\nA,,1\n"),
+      "d.csv:2: column 'routing' = '': expected a routing such as M-1-T-2-F (if cells were merged, fill them down)");
+  EXPECT_EQ(
+      data_error("run,routing,T1_N\n,TR5,1\n"),
+      "d.csv:2: column 'run' = '': expected a name or number for the run (if cells were merged, fill them down)");
   EXPECT_EQ(
       data_error("run,routing,T1_N\nA,M-1-Q,1\n"),
       "d.csv:2: column 'routing' = 'M-1-Q': routing 'M-1-Q', column 5: unknown token 'Q': "
@@ -151,7 +166,7 @@ TEST(BadRow, IsNamedInOneLine) {
             "d.csv:2: column 'routing' = 'M-?F': no such routing: M-?F");
   EXPECT_EQ(
       data_error("run,routing,T1_N,\"a\nb\"\nA,M-1-F,1,7\nA,M-1-F,1,\"x\ny\"\n"),
-      "d.csv:4: column 'a?b' = 'x?y': expected a finite number such as 12.5, or an empty cell");
+      "d.csv:4: column 'a b' = 'x?y': expected a finite number such as 12.5, or an empty cell");
 }
 
 TEST(BadRow, NamesTheStrandThatTheRoutingDoesNotHave) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,91 @@ TEST(ALoggersFile, MayMarkMissingNumbersInManyWays) {
     EXPECT_FALSE(data.readings[0].covariates[0]) << missing;
     EXPECT_EQ(data.readings[0].direction, Direction::pull);
   }
+}
+
+TEST(ACellThatMarksAnError, IsEmptyAndCounted) {
+  for (const char* cell :
+       {"#DIV/0!", "#WERT!", "#REF!", "#VALUE!", "#NAME?", "#NUM!", "Inf", "-Inf", "OVL", "ERR",
+        "None", "NaT", "n.v.", "?", "---", "-nan(ind)", "1.#QNAN"}) {
+    const std::string text(cell);
+    const MeasuredData data = read_data("run,routing,held,T1_N,T2_N,x\nA,TR5,1,4," + text + "," +
+                                        text + "\nA,TR5,1,5,2,3\n");
+    EXPECT_FALSE(data.readings[0].tension_N[1]) << text;
+    EXPECT_FALSE(data.readings[0].covariates[0]) << text;
+    EXPECT_EQ(note_text(data.notes, NoteKind::passed_over),
+              "an error or a word in place of a number is read as an empty cell: 1 cell, '" + text +
+                  "' first")
+        << text;
+  }
+  EXPECT_EQ(
+      count_notes(read_data("run,routing,T1_N,T2_N\nA,TR5,1,#N/A\n").notes, NoteKind::passed_over),
+      0U);
+}
+
+TEST(ARowOfSummary, IsLeftOutAndNoted) {
+  const std::string rows = "run,routing,T1_N\nA,TR5,1\n";
+  for (const char* name : {"mean", "Average", "AVG", "sd", "std", "StDev", "min", "max", "sum",
+                           "total", "Mittelwert", "mean:"}) {
+    const MeasuredData data = read_data(rows + name + ",,3\n");
+    EXPECT_EQ(data.readings.size(), 1U) << name;
+    EXPECT_EQ(noted_lines(data.notes, NoteKind::passed_over), Lines{3}) << name;
+  }
+  EXPECT_EQ(read_data("run,routing,direction,T1_N\nA,TR5,pull,1\n,,Mittelwert,2\n").readings.size(),
+            1U);
+  EXPECT_EQ(read_data(rows + "mean 2,TR5,3\n").readings.size(), 2U);
+  EXPECT_EQ(data_error("run,routing,T1_N\nmax,TR5,1\n"),
+            "d.csv:1: expected readings below the header, and there are rows of summary alone: "
+            "give their runs other names");
+}
+
+TEST(AThousandsSeparator, IsNamed) {
+  for (const char* number : {"17.190,000", "17'190", "17 190,5", "1.234.567"}) {
+    EXPECT_NE(data_error(std::string("run;routing;T1_mN\nA;TR5;") + number + "\n")
+                  .find("a number without a thousands separator"),
+              std::string::npos)
+        << number;
+  }
+  for (const char* number : {"\"17,190.000\"", "\"17,190\"", "17'190"}) {
+    EXPECT_NE(data_error(std::string("run,routing,T1_mN\nA,TR5,") + number + "\n")
+                  .find("a number without a thousands separator"),
+              std::string::npos)
+        << number;
+  }
+}
+
+std::size_t thousands_notes(const std::string& rows) {
+  const auto notes = read_data("run;routing;held;T1_mN;T2_N\n" + rows).notes;
+  return std::ranges::count_if(notes, [](const DataNote& note) {
+    return note.text.find("are these thousands separators?") != std::string::npos;
+  });
+}
+
+TEST(AThousandsSeparator, IsSuspectedWhereThreeDigitsStandBesideWholeNumbers) {
+  EXPECT_EQ(thousands_notes("A;TR5;1;24.665;1\nA;TR5;1;833;2\nA;TR5;1;9.030;2\n"), 1U);
+  EXPECT_EQ(thousands_notes("A;TR5;1;24.665;1\nA;TR5;1;83.3;2\nA;TR5;1;833;2\n"), 0U);
+  EXPECT_EQ(thousands_notes("A;TR5;1;24.665;1\nA;TR5;1;0;2\nA;TR5;1;9.030;2\n"), 0U);
+  EXPECT_EQ(thousands_notes("A;TR5;1;24.665;1\nA;TR5;1;0.665;2\nA;TR5;1;833;2\n"), 0U);
+}
+
+TEST(DecimalCommas, MayStandInQuotesBetweenCommas) {
+  EXPECT_EQ(first_row("run,routing,motor_tension_N,T1_N,T2_N\nA,TR5,\"20,5\",\"4,250\",3\n"),
+            (std::vector<double>{20.5, 4.25, 3}));
+  EXPECT_EQ(data_error("run,routing,T1_N,T2_N\nA,TR5,\"20,5\",4.25\n"),
+            "d.csv:2: column 'T2_N' = '4.25': the file has decimal commas (line 2) and decimal "
+            "points (line 2): expected one of them throughout");
+}
+
+TEST(AnInvisibleCharacter, IsABlank) {
+  EXPECT_EQ(first_row("run,routing,motor\u00A0tension [N]\u00A0,T1_N\u200B,\uFEFFT2_N\n"
+                      "A,\u00A0TR5,20\u202F,4,3\u2009\n"),
+            twenty_four_three);
+}
+
+TEST(ALineBreakInAName, IsABlank) {
+  const MeasuredData data =
+      read_data("run,routing,\"Motor tension\r\n[N]\",T1_N,\"air\n\nhumidity\"\nA,TR5,20,4,40\n");
+  EXPECT_EQ(data.readings[0].motor_tension_N, 20);
+  EXPECT_EQ(data.covariates, std::vector<std::string>{"air humidity"});
 }
 
 TEST(ASpreadsheetsOwnFile, IsRefusedByName) {
@@ -196,6 +282,88 @@ TEST(AColumnOfGroups, HasNoOtherMeaning) {
   EXPECT_EQ(data_error(file, {{}, {}, "T1_N"}), expected("3 'T1_N'", "T1_N"));
   EXPECT_EQ(data_error(file, {{}, {}, "T2 [lbf]"}), expected("4 'T2 [lbf]'", "T2_N"));
   EXPECT_EQ(read_data(file, {{}, {}, "Ta"}).groups, std::vector<std::string>{"1"});
+}
+
+std::string rows_error(const std::string& text, const std::vector<ColumnMeaning>& map = {}) {
+  ReadingOptions options;
+  options.map_option = "--map";
+  options.map = map;
+  return data_error(text, options);
+}
+
+TEST(AColumnOfFingers, IsAskedAbout) {
+  for (const char* name : {"grasp", "Finger", "blocked", "fixed", "holding", "obstacle"}) {
+    const std::string text = std::string("run,routing,T1_N,") + name +
+                             "\nA,TR5,1,\nA,TR5,2,1\nA,TR5,3,none\nA,TR5,3,2\n";
+    EXPECT_EQ(rows_error(text),
+              fmt::format("d.csv:1: column 4 '{0}': expected its meaning, which may be held: --map "
+                          "'{0}=held', or --map '{0}={0}' if it is none",
+                          name));
+    EXPECT_EQ(rows_error(text, {{name, "held"}}), "no such error was thrown");
+  }
+  const auto is_asked = [](const std::string& text) {
+    return rows_error(text).find("may be held") != std::string::npos;
+  };
+  EXPECT_FALSE(is_asked("run,routing,T1_N,grasp\nA,TR5,1,1\nA,TR5,2,7.5\n"));
+  EXPECT_FALSE(is_asked("run,routing,T1_N,grasp\nA,TR5,1,\nA,TR5,2,\n"));
+  EXPECT_FALSE(is_asked("run,routing,T1_N,held,grasp\nA,TR5,1,1,1\n"));
+  EXPECT_FALSE(is_asked("run,routing,T1_N,humidity\nA,TR5,1,1\n"));
+  EXPECT_NE(input_error([] {
+              ReadingOptions options;
+              options.map_option = "--map";
+              parse_logged_series("t,T1_N,T2_N,grasp\n0,1,2,1\n1,1,2,1\n", "l.csv", options);
+            }).find("l.csv:1: column 4 'grasp': expected its meaning, which may be held"),
+            std::string::npos);
+}
+
+TEST(AMotorTension, IsAskedAboutWhateverItsName) {
+  for (const char* name : {"Motor [N]", "Motor_N", "F_motor [N]", "tension_motor_N",
+                           "motor_load_cell_N", "Motor [kg]", "Antrieb (N)"}) {
+    EXPECT_NE(rows_error(std::string("run,routing,T1_N,") + name + "\nA,TR5,1,2\n")
+                  .find("which may be motor_tension: --map"),
+              std::string::npos)
+        << name;
+  }
+  for (const char* name : {"Motor", "motor_mm_s", "Motor [°C]", "motor_number", "total_N"}) {
+    EXPECT_EQ(rows_error(std::string("run,routing,T1_N,") + name + "\nA,TR5,1,2\n"),
+              "no such error was thrown")
+        << name;
+  }
+  EXPECT_EQ(rows_error("run,routing,T1_N,motor_tension_N,Motor [N]\nA,TR5,1,2,2\n"),
+            "no such error was thrown");
+}
+
+TEST(AKnownNameInAUnitThatIsNoForce, IsRefused) {
+  const std::string units = "(N, mN, cN, daN, kN, gf, kgf, lbf, ozf)";
+  EXPECT_EQ(
+      rows_error("run,routing,T1_N,T2 [counts]\nA,TR5,1,2\n"),
+      "d.csv:1: column 4 'T2 [counts]': the unit counts is no force: expected a unit of force " +
+          units + ", or --map 'T2 [counts]=T2 [counts]' if it is no tension");
+  EXPECT_EQ(
+      rows_error("run,routing,T1_N,motor_tension_mA\nA,TR5,1,2\n"),
+      "d.csv:1: column 4 'motor_tension_mA': the unit mA is no force: expected a unit of force " +
+          units +
+          ", or --map 'motor_tension_mA=motor_tension_mA' if it is no tension; a current is no "
+          "tension; multiplied by newton per ampere of motor and spool it would be "
+          "motor_tension_N");
+  EXPECT_NE(rows_error("run,routing,T1_N,motor_tension [Nm]\nA,TR5,1,2\n")
+                .find("divided by the spool's radius"),
+            std::string::npos);
+  for (const char* columns : {"T2 [°C]", "T2_C", "Ta [K]", "T2_N,T2 [counts]", "T2_x"}) {
+    const std::string cells = std::string(columns).find(',') == std::string::npos ? "2" : "2,3";
+    EXPECT_EQ(rows_error(std::string("run,routing,T1_N,") + columns + "\nA,TR5,1," + cells + "\n"),
+              "no such error was thrown")
+        << columns;
+  }
+  EXPECT_EQ(
+      rows_error("run,routing,T1_N,T2 [counts]\nA,TR5,1,2\n", {{"T2 [counts]", "T2 [counts]"}}),
+      "no such error was thrown");
+}
+
+TEST(AMotorTension, ThatIsBelowZeroThroughoutMayHaveTheOtherSign) {
+  EXPECT_EQ(data_error("run,routing,motor_tension_N,T1_N\nA,TR5,-20,1\nA,TR5,-21,1\n"),
+            "d.csv: motor_tension_N is below zero in every row: expected motor tensions from 0: "
+            "exchange the sign of that column");
 }
 
 }  // namespace
