@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <atomic>
 #include <iostream>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include "cli/inputs.hpp"
 #include "cli/outputs.hpp"
 #include "cli/printing.hpp"
+#include "cli/supervision.hpp"
 #include "reports/import_report.hpp"
 #include "reports/output/files.hpp"
 #include "reports/output/shell_word.hpp"
@@ -98,9 +100,11 @@ std::string made_by(const CLI::App& command) {
 }
 
 int run(const ImportFlags& flags, const CLI::App& command) {
+  const std::atomic<bool>& stop = stop_on_interrupt();
   if (flags.guess) return guess(flags, command);
   require_places(flags);
   const ImportReport result = report(flags);
+  if (stop) throw Interrupted();
   const bool found = !result.steady.readings.empty();
   const bool written = found && flags.out.is_given();
   if (flags.plot.is_given()) write_file(flags.plot.text, log_svg(result));

@@ -100,11 +100,11 @@ TEST(BadImport, ListsAllMissingColumnsAndPointsToAMapping) {
 }
 
 TEST(BadImport, ListsAllFaultsOfALog) {
-  expect_refused("t,motor_tension_N,T1_N\n0,x,6\n1,20,inf\n", {"--routing", "TR1"},
+  expect_refused("t,motor_tension_N,T1_N\n0,x,6\n1,20,1e300\n", {"--routing", "TR1"},
                  "log.csv: 2 faults:\n"
                  "  log.csv:2: column 'motor_tension_N' = 'x': expected a number from -1000000000 "
                  "to 1000000000, or an empty cell\n"
-                 "  log.csv:3: column 'T1_N' = 'inf': expected a number from -1000000000 to "
+                 "  log.csv:3: column 'T1_N' = '1e300': expected a number from -1000000000 to "
                  "1000000000, or an empty cell");
   expect_refused("t,Position [rev],motor_tension_N,T1_N\n0,1,20,6\n", {"--routing", "TR1"},
                  "log.csv:1: column 2 'Position [rev]': expected the carriage's position with a "

@@ -113,9 +113,11 @@ TEST_P(StoppingSignal, EndsTheWaitForAnInput) {
     const int writer = has_writer ? ::open(pipe.c_str(), O_RDWR) : -1;
     ProcessOptions options = disturbed(GetParam(), after_it_catches(GetParam(), 0ms));
     options.directory = folder.path();
-    const ProcessResult result = reeve("diagnose pipe", options);
-    EXPECT_EQ(result.exit_code, 3) << has_writer;
-    EXPECT_TRUE(has(result.err, "interrupted: nobody writes to 'pipe'"));
+    for (const char* command : {"diagnose pipe", "import pipe --routing TR5"}) {
+      const ProcessResult result = reeve(command, options);
+      EXPECT_EQ(result.exit_code, 3) << command << has_writer;
+      EXPECT_TRUE(has(result.err, "interrupted: nobody writes to 'pipe'"));
+    }
     if (has_writer) ::close(writer);
   }
 }
@@ -144,6 +146,19 @@ TEST(HangUp, OfTheTerminalLeavesWholeFilesThatSayPartial) {
   EXPECT_EQ(explored.result.exit_code, 3);
   EXPECT_TRUE(explored.summary()["partial"]);
   expect_whole_csv(explored.file("designs.csv"), "# partial: stopped after ");
+}
+
+TEST(Interruption, EndsAnImportWithoutAFile) {
+  const TemporaryFolder folder;
+  std::string log = "t_ms,position_mm,T1_N,T2_N\n";
+  for (int i = 0; i < 400'000; ++i) log += std::to_string(10 * i) + ",1,2.5,3.5\n";
+  folder.write("log.csv", log);
+  ProcessOptions options = disturbed(SIGINT, after_it_catches(SIGINT, 20ms));
+  options.directory = folder.path();
+  const ProcessResult result = reeve("import log.csv --routing TR5 -o readings.csv", options);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.err, "reeve: interrupted\n");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "readings.csv"));
 }
 
 TEST(Interruption, EndsARankingUnderUncertaintyWithoutAResult) {
