@@ -373,13 +373,16 @@ Likelihood likelihood(const Dataset& dataset, const ScatterShape& shape, const F
     if (!level.motor_scatters()) see(level);
   }
   const double mounting = best.level.mounting;
+  const double without_motor = best.value;
   for (const ScatterLevel& level : shape.levels) {
     if (level.motor_scatters() && level.mounting == mounting) see(level);
   }
+  constexpr double clearly = 10;
+  if (!(best.value > without_motor + clearly)) return best;
   const ScatterLevel with_motor = best.level;
   for (const ScatterLevel& level : shape.levels) {
-    if (with_motor.motor_scatters() && level.mounting != mounting &&
-        level.motor == with_motor.motor && level.rounded == with_motor.rounded) {
+    if (level.mounting != mounting && level.motor == with_motor.motor &&
+        level.rounded == with_motor.rounded) {
       see(level);
     }
   }
