@@ -70,10 +70,10 @@ void make_blanks(std::string& field) {
 // Folds line breaks, as spreadsheets have them in names, to one blank each.
 void fold_lines(std::string& name) {
   if (name.find('\n') == std::string::npos) return;
-  std::ranges::replace_if(
-      name, [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  const auto rest = std::ranges::unique(name, [](char a, char b) { return a == ' ' && b == ' '; });
-  name.erase(rest.begin(), rest.end());
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  const auto is_blank_twice = [](char a, char b) { return a == ' ' && b == ' '; };
+  name.erase(std::unique(name.begin(), name.end(), is_blank_twice), name.end());
 }
 
 std::size_t words_in(std::string_view row) {

@@ -260,6 +260,7 @@ TEST(AColumnThatIsMapped, IsNoneOfALog) {
 }
 
 TEST(ReadingOptions, AreReadFromWordsOrRefused) {
+  EXPECT_EQ(parse_column_meaning("Motor [N]=Motor [N]").meaning, "Motor [N]");
   for (const char* text : {"a", "=T1_N", "a=", "a=nothing"}) {
     EXPECT_EQ(input_error([&] { parse_column_meaning(text); }),
               "'" + std::string(text) +
