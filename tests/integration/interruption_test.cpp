@@ -111,9 +111,9 @@ TEST_P(StoppingSignal, EndsTheWaitForAnInput) {
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   for (const bool has_writer : {false, true}) {
     const int writer = has_writer ? ::open(pipe.c_str(), O_RDWR) : -1;
-    ProcessOptions options = disturbed(GetParam(), after_it_catches(GetParam(), 0ms));
-    options.directory = folder.path();
     for (const char* command : {"diagnose pipe", "import pipe --routing TR5"}) {
+      ProcessOptions options = disturbed(GetParam(), after_it_catches(GetParam(), 0ms));
+      options.directory = folder.path();
       const ProcessResult result = reeve(command, options);
       EXPECT_EQ(result.exit_code, 3) << command << has_writer;
       EXPECT_TRUE(has(result.err, "interrupted: nobody writes to 'pipe'"));
