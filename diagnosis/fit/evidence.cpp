@@ -277,18 +277,18 @@ ScatterShape scatter_shape(const Dataset& dataset, const Model& reference,
   shape.rounded_N = deviation_of_rounding(dataset);
   const bool has_mountings =
       shape.knows_mountings && !given && shape.scatter.mounting.mounted_again > 0;
+  const bool tells = tells_of_motor(dataset);
+  if (has_mountings && tells) {
+    for (const double motor : motor_levels) {
+      if (motor > 0) shape.levels.push_back({beside_motor, motor});
+    }
+  }
   for (const double mounting : mounting_levels) {
     if (mounting != 1 && !has_mountings) continue;
-    const bool tells = tells_of_motor(dataset);
     for (const double motor : motor_levels) {
       if (motor == 0 || tells) shape.levels.push_back({mounting, motor});
     }
     if (tells && shape.rounded_N > 0) shape.levels.push_back({mounting, 0, true});
-  }
-  if (has_mountings && tells_of_motor(dataset)) {
-    for (const double motor : motor_levels) {
-      if (motor > 0) shape.levels.push_back({beside_motor, motor});
-    }
   }
   return shape;
 }

@@ -62,9 +62,9 @@ struct ScatterShape {
   // where the sensor is: all scatter is then the motor tension's, N.
   std::optional<double> set_motor_N;
   Forecast reference;
-  double least_scale = 0;  // s0 is no less: repeats, or somebody, told the noise
-  double most_scale = 0;   // 0: no most
-  std::vector<ScatterLevel> levels;
+  double least_scale = 0;            // s0 is no less: repeats, or somebody, told the noise
+  double most_scale = 0;             // 0: no most
+  std::vector<ScatterLevel> levels;  // the least scatter of mountings last
 };
 
 // `given` is the scatter of mountings, if it is known.
