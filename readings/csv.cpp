@@ -359,6 +359,9 @@ void CsvReader::require_line_end() const {
 }
 
 bool is_missing(std::string_view text) {
+  // Most cells are numbers, and a log has millions of them; 1.#INF is none.
+  constexpr std::string_view digits = "0123456789";
+  if (text.find_first_of(digits) == 0 && text.find('#') == std::string_view::npos) return false;
   constexpr std::array words{"", "-", "--", "nan", "na", "n/a", "n.a.", "#n/a", "null"};
   return std::ranges::find(words, lower(text)) != words.end() || marks_an_error(text);
 }
