@@ -48,20 +48,18 @@ std::map<std::size_t, RunValues> by_routing(const MeasuredData& data, std::size_
   return result;
 }
 
-// Typical of the runs of a routing but one.
+// Medians of the runs of a routing.
 struct TypicalSpans {
   double channel_N = 0;
   double motor_N = 0;
 };
 
-TypicalSpans typical_spans(const RunValues& runs, std::size_t beside) {
+TypicalSpans typical_spans(const RunValues& runs) {
   std::vector<double> channel_N, motor_N;
   for (const auto& [run, values] : runs) {
-    if (run == beside) continue;
     channel_N.push_back(inner_span(values.channel_N));
     motor_N.push_back(inner_span(values.motor_N));
   }
-  if (channel_N.empty()) return {};
   return {median(std::move(channel_N)), median(std::move(motor_N))};
 }
 
@@ -77,12 +75,12 @@ bool have_different_values(const RunValues& runs, std::size_t beside) {
   return false;
 }
 
-bool is_stuck(const Values& own, const TypicalSpans& others) {
+bool is_stuck(const Values& own, const TypicalSpans& typical) {
   if (own.channel_N.size() < least_readings) return false;
   const double span_N = inner_span(own.channel_N);
   return span_N < same_share * std::abs(median(own.channel_N)) &&
-         span_N < stuck_share * others.channel_N &&
-         inner_span(own.motor_N) > moved_share * others.motor_N;
+         span_N < stuck_share * typical.channel_N &&
+         inner_span(own.motor_N) > moved_share * typical.motor_N;
 }
 
 // Whole runs without one are left out later (silent_runs.hpp).
@@ -102,8 +100,9 @@ void leave_out_stuck_channels(MeasuredData& data) {
   for (std::size_t channel = 0; channel < data.channels.size(); ++channel) {
     std::set<std::pair<std::size_t, std::size_t>> stuck;  // routing and run
     for (const auto& [routing, runs] : by_routing(data, channel)) {
+      const TypicalSpans typical = typical_spans(runs);
       for (const auto& [run, values] : runs) {
-        if (is_stuck(values, typical_spans(runs, run)) && have_different_values(runs, run)) {
+        if (is_stuck(values, typical) && have_different_values(runs, run)) {
           stuck.insert({routing, run});
         }
       }
