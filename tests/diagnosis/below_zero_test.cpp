@@ -77,7 +77,8 @@ TEST(AMotorTensionBelowZero, LeavesItsRowOutAndIsNamed) {
 
 TEST(AMotorTensionBelowZero, InEveryRowIsAnError) {
   EXPECT_EQ(data_error(five_columns + "A,TR5,-1,4,3\n"),
-            "d.csv: motor_tension_N is below zero in every row: expected motor tensions from 0");
+            "d.csv: motor_tension_N is below zero in every row: expected motor tensions from 0: "
+            "exchange the sign of that column");
 }
 
 }  // namespace
