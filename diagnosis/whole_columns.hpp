@@ -1,6 +1,7 @@
 // Columns that are still empty in some rows (readings/filled_columns.hpp). A law of such a column
 // would say nothing there, and its size would be that of the others, diluted. So these rows are
-// left out, unless they are more than a third of all: then the column is not looked at.
+// left out, unless more than a third of all would be: then the column is not looked at. Fuller
+// columns come first.
 #pragma once
 
 #include <cstddef>

@@ -59,12 +59,15 @@ void make_blanks(std::string& field) {
        {"\u2009", " "},
        {"\u200B", ""},
        {"\uFEFF", ""}}};
-  for (const auto& [character, plain] : invisible) {
-    for (std::size_t at = field.find(character); at != std::string::npos;) {
-      field.replace(at, character.size(), plain);
-      at = field.find(character, at);
-    }
+  std::string result;
+  for (std::string_view rest = field; !rest.empty();) {
+    const auto found = std::ranges::find_if(
+        invisible, [&](const auto& each) { return rest.starts_with(each.first); });
+    const bool is_plain = found == invisible.end();
+    result += is_plain ? rest.substr(0, 1) : found->second;
+    rest.remove_prefix(is_plain ? 1 : found->first.size());
   }
+  field = std::move(result);
 }
 
 // Folds line breaks, as spreadsheets have them in names, to one blank each.
@@ -201,7 +204,7 @@ void CsvReader::require_no_archive() const {
              sheet},
       Format{"\xD0\xCF\x11\xE0", "is a workbook of a spreadsheet (.xls), not text", sheet},
       Format{"\x1F\x8B", "is compressed (gzip)", unpacked},
-      Format{"BZh", "is compressed (bzip2)", unpacked},
+      Format{"BZh9", "is compressed (bzip2)", unpacked},
   };
   for (const Format& format : formats) {
     if (!text_.starts_with(format.begin)) continue;
@@ -363,8 +366,10 @@ bool is_missing(std::string_view text) {
   constexpr std::string_view digits = "0123456789";
   if (text.find_first_of(digits) == 0 && text.find('#') == std::string_view::npos) return false;
   constexpr std::array words{"", "-", "--", "nan", "na", "n/a", "n.a.", "#n/a", "null"};
-  return std::ranges::find(words, lower(text)) != words.end() || marks_an_error(text);
+  return std::ranges::find(words, lower(text)) != words.end();
 }
+
+bool is_no_number(std::string_view text) { return is_missing(text) || marks_an_error(text); }
 
 bool marks_an_error(std::string_view text) {
   constexpr std::array words{"#div/0!", "#wert!",    "#ref!",  "#value!",  "#name?",  "#num!",
@@ -383,6 +388,9 @@ bool is_of_digits(std::string_view text) {
 
 // True of 17.190,000, 17'190, 17 190 and 1.234.567. One group alone, 17,190, may be a decimal mark.
 bool has_thousands_mark(std::string_view text, bool one_group_is_enough) {
+  // Matching recurses for each character.
+  constexpr std::size_t longest = 40;
+  if (text.size() > longest) return false;
   static const std::regex form(R"([+-]?[1-9]\d?\d?([.,' ])\d{3}(\1\d{3})*([.,]\d*)?)");
   std::cmatch found;
   if (!std::regex_match(text.begin(), text.end(), found, form)) return false;

@@ -124,6 +124,9 @@ bool is_missing(std::string_view text);
 // OVL.
 bool marks_an_error(std::string_view text);
 
+// True for both, in place of a number. As words they may mean something: a group "none".
+bool is_no_number(std::string_view text);
+
 // Numbers in the fields of a CSV file: decimal points, or decimal commas, which between commas
 // stand in quotes. A file that has both is refused: 1,234 may then be a thousand or one and a bit.
 class CsvNumberReader {

@@ -56,7 +56,7 @@ std::vector<std::optional<double>> guesses(const RunCells& run, Guess guess) {
       result[k] = *run[k] ? (sum - **run[k]) / (count - 1) : sum / count;
       continue;
     }
-    const std::size_t from = before[k].value_or(*behind[k]);
+    const std::size_t from = before[k] ? *before[k] : *behind[k];
     const std::size_t to = behind[k].value_or(from);
     const double steps = static_cast<double>(to) - static_cast<double>(from);
     const double share =
@@ -110,25 +110,15 @@ std::size_t fill(const std::vector<RunCells>& runs, Guess guess) {
 }  // namespace
 
 std::vector<ConditionColumn> condition_columns(const MeasuredData& data) {
-  std::vector<ConditionColumn> result{
-      {"speed_mm_s", [](Reading & reading) -> auto& {return reading.speed_mm_s;
-}
-}  // namespace reeve::readings
-, {"cycle", [](Reading& reading) -> auto& {return reading.cycle;
-}
-}
-, {
-  "temperature_C", [](Reading & reading) -> auto& { return reading.temperature_C; }
-}
-}
-;
-for (std::size_t c = 0; c < data.covariates.size(); ++c) {
-    result.push_back(
-        {data.covariates[c], [c](Reading& reading) -> auto& { return reading.covariates[c];
-}
-});
-}
-return result;
+  using Cell = std::optional<double>;
+  std::vector<ConditionColumn> result;
+  result.push_back({"speed_mm_s", [](Reading& of) -> Cell& { return of.speed_mm_s; }});
+  result.push_back({"cycle", [](Reading& of) -> Cell& { return of.cycle; }});
+  result.push_back({"temperature_C", [](Reading& of) -> Cell& { return of.temperature_C; }});
+  for (std::size_t c = 0; c < data.covariates.size(); ++c) {
+    result.push_back({data.covariates[c], [c](Reading& of) -> Cell& { return of.covariates[c]; }});
+  }
+  return result;
 }
 
 void fill_columns(MeasuredData& data) {

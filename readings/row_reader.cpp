@@ -317,7 +317,7 @@ class RowReader {
     for (std::size_t column = 0; column < columns_.size(); ++column) {
       // A cell that cannot be read is a fault of its own.
       if (columns_[column].role != DataRole::tension) continue;
-      if (numbers[column] || !is_missing(trimmed(row.fields[column]))) return;
+      if (numbers[column] || !is_no_number(trimmed(row.fields[column]))) return;
     }
     without_tension_.push_back(data_.readings.size());
   }

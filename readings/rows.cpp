@@ -104,7 +104,7 @@ void require_rows(const CsvReader& csv, std::size_t rows, const std::vector<Data
 Grasp read_held(std::string_view text, int fingers) {
   std::string held = lower(without_brackets(text));
   // A number of a spreadsheet or of pandas.
-  if (held.ends_with(".0")) held.resize(held.size() - 2);
+  if (held.size() > 2 && held.ends_with(".0")) held.resize(held.size() - 2);
   std::replace(held.begin(), held.end(), ';', ',');
   held.erase(std::remove(held.begin(), held.end(), ' '), held.end());
   if (is_missing(held) || held == "none") return {};
@@ -117,7 +117,7 @@ Grasp read_held(std::string_view text, int fingers) {
                                fingers, fingers > 1 ? "1;2" : "1")});
 }
 
-bool leaves_held_open(std::string_view text) { return is_missing(text) && lower(text) != "none"; }
+bool leaves_held_open(std::string_view text) { return is_missing(text); }
 
 std::string held_is_assumed(std::size_t assumed, std::size_t all, std::string_view rows) {
   return fmt::format("the held finger is not given in {} of {} {}: none is assumed to be held",
@@ -236,7 +236,7 @@ bool RowCells::is_tare(const CsvRow& row) const {
 std::optional<double> RowCells::number(const CsvRow& row, std::size_t column) {
   return at(row, column,
             [&](std::string_view text) -> std::optional<double> {
-              if (is_missing(text)) {
+              if (is_no_number(text)) {
                 if (marks_an_error(text)) errors_.emplace_back(text, row.line);
                 return std::nullopt;
               }
@@ -251,7 +251,8 @@ std::optional<double> RowCells::number(const CsvRow& row, std::size_t column) {
 
 std::optional<double> RowCells::covariate(const CsvRow& row, std::size_t column) {
   const std::string_view text = trimmed(row.fields[column]);
-  if (is_missing(text)) return std::nullopt;
+  if (marks_an_error(text)) errors_.emplace_back(text, row.line);
+  if (is_no_number(text)) return std::nullopt;
   return read_number(text, row.line, columns_[column], covariates_[column]);
 }
 
@@ -284,6 +285,7 @@ void RowCells::add_fault(const CsvRow& row, std::size_t column, const InputError
 void RowCells::note_cells(std::vector<DataNote>& notes) const {
   try {
     numbers_.require_no_doubt();
+    for (const CsvNumberReader& covariate : covariates_) covariate.require_no_doubt();
   } catch (const InputError& error) {
     throw error.at(csv_.name());
   }

@@ -48,19 +48,19 @@ std::map<std::size_t, RunValues> by_routing(const MeasuredData& data, std::size_
   return result;
 }
 
-// Medians of the runs of a routing.
-struct TypicalSpans {
+// Of all runs of a routing.
+struct GreatestSpans {
   double channel_N = 0;
   double motor_N = 0;
 };
 
-TypicalSpans typical_spans(const RunValues& runs) {
-  std::vector<double> channel_N, motor_N;
+GreatestSpans greatest_spans(const RunValues& runs) {
+  GreatestSpans greatest;
   for (const auto& [run, values] : runs) {
-    channel_N.push_back(inner_span(values.channel_N));
-    motor_N.push_back(inner_span(values.motor_N));
+    greatest.channel_N = std::max(greatest.channel_N, inner_span(values.channel_N));
+    greatest.motor_N = std::max(greatest.motor_N, inner_span(values.motor_N));
   }
-  return {median(std::move(channel_N)), median(std::move(motor_N))};
+  return greatest;
 }
 
 bool have_different_values(const RunValues& runs, std::size_t beside) {
@@ -75,12 +75,12 @@ bool have_different_values(const RunValues& runs, std::size_t beside) {
   return false;
 }
 
-bool is_stuck(const Values& own, const TypicalSpans& typical) {
+bool is_stuck(const Values& own, const GreatestSpans& greatest) {
   if (own.channel_N.size() < least_readings) return false;
   const double span_N = inner_span(own.channel_N);
   return span_N < same_share * std::abs(median(own.channel_N)) &&
-         span_N < stuck_share * typical.channel_N &&
-         inner_span(own.motor_N) > moved_share * typical.motor_N;
+         span_N < stuck_share * greatest.channel_N &&
+         inner_span(own.motor_N) > moved_share * greatest.motor_N;
 }
 
 // Whole runs without one are left out later (silent_runs.hpp).
@@ -100,9 +100,9 @@ void leave_out_stuck_channels(MeasuredData& data) {
   for (std::size_t channel = 0; channel < data.channels.size(); ++channel) {
     std::set<std::pair<std::size_t, std::size_t>> stuck;  // routing and run
     for (const auto& [routing, runs] : by_routing(data, channel)) {
-      const TypicalSpans typical = typical_spans(runs);
+      const GreatestSpans greatest = greatest_spans(runs);
       for (const auto& [run, values] : runs) {
-        if (is_stuck(values, typical) && have_different_values(runs, run)) {
+        if (is_stuck(values, greatest) && have_different_values(runs, run)) {
           stuck.insert({routing, run});
         }
       }

@@ -109,7 +109,7 @@ std::string no_pull_words(NoPull no_pull, int motors) {
     case NoPull::blocked:
       break;
     case NoPull::opposed:
-      return "its extensor pulls back as hard as its flexor pulls";
+      return "its extensor holds it back";
     case NoPull::blocked_at_springs:
       return blocked + ", if springs in series do not stretch";
     case NoPull::ends_locked:

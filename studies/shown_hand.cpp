@@ -89,6 +89,7 @@ NoPull no_pull(const Network& network, const Mechanics& mechanics, const TendonP
                const Grasp& grasp, int finger) {
   const auto own = std::ranges::find_if(
       network.tendons, [&](const TendonSpan& tendon) { return passes(network, tendon, finger); });
+  if (own == network.tendons.end()) return NoPull::opposed;
   bool all_locked = true;
   bool all_still = true;
   for (const TendonSpan& tendon : network.tendons) {

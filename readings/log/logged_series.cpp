@@ -70,7 +70,7 @@ bool is_label(DataRole role) {
 bool has_form_of_number(std::string_view text) {
   const auto marks = std::ranges::count_if(text, [](char c) { return c == '.' || c == ','; });
   return (marks < 2 && text.find_first_not_of("0123456789+-eE.,") == std::string_view::npos) ||
-         is_missing(text);
+         is_no_number(text);
 }
 
 // Row by row into columns; what is wrong goes to the list of faults.
@@ -188,7 +188,7 @@ class LogReader {
 
   void require_time(const CsvRow& row, std::size_t column) {
     cells_.at(row, column, [](std::string_view text) {
-      if (is_missing(text)) throw InputError({.expected = "the time of the sample, a number"});
+      if (is_no_number(text)) throw InputError({.expected = "the time of the sample, a number"});
       return true;
     });
   }
@@ -205,7 +205,7 @@ class LogReader {
   void read_covariate(const CsvRow& row, std::size_t column) {
     Values& values = values_[column];
     const std::string_view text = trimmed(row.fields[column]);
-    if (!values.is_decided && !is_missing(text)) {
+    if (!values.is_decided && !is_no_number(text)) {
       values.is_decided = true;
       values.is_text = !is_number(row, column);
       if (values.is_text) values.words.add("", series_.lines.size());

@@ -86,6 +86,20 @@ TEST(WholeColumns, AreNotLookedAtIfTheyLackTooMuch) {
   EXPECT_TRUE(has(note_text(whole.data.notes, NoteKind::not_compared), "it is not looked at"));
 }
 
+// Each is empty in another third of the rows.
+TEST(WholeColumns, LeaveOutAThirdOfTheRowsTogether) {
+  std::string text = "run,routing,motor_tension_N,T1_N,a,b,c\n";
+  for (int i = 0; i < 30; ++i) {
+    const auto cell = [&](int column) {
+      return i % 3 == column ? std::string() : fmt::format("{}", drawn(3 * i + column));
+    };
+    text += fmt::format("{},M-1-F,{},3,{},{},{}\n", i / 10, 10 + i, cell(0), cell(1), cell(2));
+  }
+  const WholeColumns whole = whole_columns(read_data(text));
+  EXPECT_EQ(whole.incomplete.size(), 10U);
+  EXPECT_EQ(count_notes(whole.data.notes, NoteKind::not_compared), 3U);
+}
+
 // Sheath friction that grows by 0.8 % for each per cent of humidity, which was not always noted.
 TEST(WholeColumns, LeaveALawAsItIs) {
   std::string text = "run,routing,direction,motor_tension_N,T1_N,h_pct\n";

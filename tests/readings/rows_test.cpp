@@ -67,8 +67,8 @@ TEST(ACellThatMarksAnError, IsEmptyAndCounted) {
     EXPECT_FALSE(data.readings[0].tension_N[1]) << text;
     EXPECT_FALSE(data.readings[0].covariates[0]) << text;
     EXPECT_EQ(note_text(data.notes, NoteKind::passed_over),
-              "an error or a word in place of a number is read as an empty cell: 1 cell, '" + text +
-                  "' first")
+              "an error or a word in place of a number is read as an empty cell: 2 cells, '" +
+                  text + "' first")
         << text;
   }
   EXPECT_EQ(
@@ -253,6 +253,25 @@ TEST(AColumnOfGroups, IsReadAsWords) {
   EXPECT_TRUE(data.covariates.empty());
   EXPECT_EQ(data_error("run,routing,T1_N\nA,TR5,1\n", {{}, {}, "winch"}),
             "d.csv:1: the header has no column 'winch': expected the column of groups");
+}
+
+// As words they mean something.
+TEST(AWordForAnError, IsItselfAmongWords) {
+  EXPECT_EQ(
+      read_data("run,routing,grease,T1_N\nA,TR5,none,1\nB,TR5,oil,1\n", {{}, {}, "grease"}).groups,
+      (std::vector<std::string>{"none", "oil"}));
+  for (const char* held : {"?", "error", ".0"}) {
+    EXPECT_THROW(read_data("run,routing,held,T1_N\nA,TR5," + std::string(held) + ",1\n"),
+                 InputError)
+        << held;
+  }
+}
+
+// The check for thousands has to end for any text.
+TEST(AVeryLongNumber, IsACellThatCannotBeRead) {
+  std::string cell = "123";
+  for (int i = 0; i < 100'000; ++i) cell += ",123";
+  EXPECT_THROW(read_data("run;routing;T1_N\nA;TR5;" + cell + "\n"), InputError);
 }
 
 TEST(AColumnOfGroups, NeedNotHaveTheCapitalsOfTheOption) {

@@ -88,11 +88,12 @@ TEST(HandSections, SayWhyAFingerGetsNoPull) {
   EXPECT_EQ(why_no_force("1x-M+2x-M2", "none@0,1", hardware),
             since("none@0,1", "its carriages stand still"));
   EXPECT_EQ(why_no_force("1x-M+2x-M", "2", hardware), since("2", "the carriage is blocked"));
+  EXPECT_EQ(why_no_force("M-1e", "none", hardware), since("none", "its extensor holds it back"));
   EXPECT_EQ(why_no_force("M-1x+M-1e", "none", hardware),
-            since("none", "its extensor pulls back as hard as its flexor pulls"));
+            since("none", "its extensor holds it back"));
   hardware.spools = {{"b", -0.8}};  // lets out less than the flexor takes
   EXPECT_EQ(why_no_force("M-1x+M-1e", "none", hardware),
-            since("none", "its extensor pulls back as hard as its flexor pulls"));
+            since("none", "its extensor holds it back"));
   hardware.spools.clear();
   hardware.tendon = {.EA_N = 20000, .own = {{.tendon = 2, .stiffness_N_mm = 5}}};
   EXPECT_EQ(why_no_force("1x-M+2x-M", "2", hardware),
