@@ -96,7 +96,7 @@ void add_pulls(const Network& network, const MotorGroup& group, const SolvedGras
     if (!group.has_finger(f)) continue;
     pulls.closings[static_cast<std::size_t>(f)] =
         solved.state.closing[static_cast<std::size_t>(f) - 1];
-    // What opposes a finger's closing pulls as hard as what closes it.
+    // A tendon that opposes a finger's closing pulls as hard as those that close it.
     if (f == solved.state.opposed) continue;
     FingerPull& pull = pulls.fingers[static_cast<std::size_t>(f)];
     pull = found[static_cast<std::size_t>(f)];

@@ -18,7 +18,7 @@ std::string number(double value);
 // " name="value""; the value is escaped, or has nothing to escape.
 std::string attribute(const char* name, const std::string& value);
 
-// What `draw` makes of the items, one after the other.
+// Joins the texts that `draw` makes of the items.
 template <typename Items, typename Draw>
 std::string each(const Items& items, Draw draw) {
   std::string all;

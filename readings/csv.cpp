@@ -361,10 +361,18 @@ void CsvReader::require_line_end() const {
   if (!at_line_end()) fail(here(), "a carriage return alone", "LF or CRLF at line ends");
 }
 
-bool is_missing(std::string_view text) {
-  // Most cells are numbers, and a log has millions of them; 1.#INF is none.
+namespace {
+
+// Most cells are numbers, and a log has millions of them; 1.#INF is none.
+bool begins_as_a_number(std::string_view text) {
   constexpr std::string_view digits = "0123456789";
-  if (text.find_first_of(digits) == 0 && text.find('#') == std::string_view::npos) return false;
+  return text.find_first_of(digits) == 0 && text.find('#') == std::string_view::npos;
+}
+
+}  // namespace
+
+bool is_missing(std::string_view text) {
+  if (begins_as_a_number(text)) return false;
   constexpr std::array words{"", "-", "--", "nan", "na", "n/a", "n.a.", "#n/a", "null"};
   return std::ranges::find(words, lower(text)) != words.end();
 }
@@ -372,6 +380,7 @@ bool is_missing(std::string_view text) {
 bool is_no_number(std::string_view text) { return is_missing(text) || marks_an_error(text); }
 
 bool marks_an_error(std::string_view text) {
+  if (begins_as_a_number(text)) return false;
   constexpr std::array words{"#div/0!", "#wert!",    "#ref!",  "#value!",  "#name?",  "#num!",
                              "inf",     "-inf",      "+inf",   "infinity", "ovl",     "err",
                              "error",   "none",      "nat",    "n.v.",     "?",       "---",

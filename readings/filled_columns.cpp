@@ -31,7 +31,7 @@ std::vector<RunCells> cells_by_run(MeasuredData& data, const ConditionColumn& co
 
 enum class Guess : std::uint8_t { line, mean };
 
-// Of each cell by the recorded ones of its run but itself; nothing if there is none.
+// Guesses each cell by the recorded ones of its run but itself; nothing if there is none.
 std::vector<std::optional<double>> guesses(const RunCells& run, Guess guess) {
   double sum = 0;
   double count = 0;

@@ -7,7 +7,7 @@
 // then hardly changes the size of a law of the column: it scatters about the guess, and not the
 // guess about it (J. Berkson, J. Am. Stat. Assoc. 45, 1950).
 //
-// Nothing is filled in a run that records none, and nothing that is set row by row.
+// Columns that are set row by row, and runs that record no cell, stay as they are.
 #pragma once
 
 #include <functional>

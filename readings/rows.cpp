@@ -214,7 +214,7 @@ void PointCount::add(std::string_view text, std::size_t line) {
   has_others |= !is_whole && !is_of_three;
 }
 
-// Of a table without a name for its rows, such as pandas writes, the word is in such a column.
+// A table without a name for its rows, such as pandas writes, has the word in such a column.
 bool RowCells::is_summary(const CsvRow& row) const {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const DataRole role = columns_[i].role;

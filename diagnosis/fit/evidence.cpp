@@ -18,8 +18,8 @@ using Eigen::VectorXd;
 
 constexpr double least_fitted_scale = 1e-9;
 constexpr std::array mounting_levels{3.0, 1.0, 0.3, 0.05};
-// What mountings scatter is estimated as if each reading had all noise for itself. Where much of it
-// is the motor's, and common to a row, they scatter more.
+// The scatter of mountings is estimated as if each reading had all noise for itself. Where much of
+// it is the motor's, and common to a row, they scatter more.
 constexpr double beside_motor = 10;
 constexpr std::array motor_levels{0.0, 1.0, 5.0};
 
