@@ -369,6 +369,12 @@ std::string Header::nearest_column(const std::string& name) const {
   return did_you_mean(name, names);
 }
 
+void Header::take_times_of_day(std::size_t clock) {
+  columns_[clock].unit_is_assumed = false;
+  read_as_[clock] =
+      fmt::format("'{}' as time_s (from times of day)", for_message(columns_[clock].name));
+}
+
 // "" if the column is read as docs say.
 std::string Header::told(const DataColumn& column, const ColumnName& named,
                          const std::optional<Unit>& in_name) const {

@@ -89,6 +89,8 @@ class Header {
   void set_role(std::size_t column, DataRole role) { columns_[column].role = role; }
   // Makes the column what it would be with an unknown name.
   void make_covariate(std::size_t column);
+  // Notes that the clock has times of day, which need no unit (wall_clock.hpp).
+  void take_times_of_day(std::size_t clock);
 
   // Returns the columns, with notes on how names and units were taken.
   DataColumns finish();

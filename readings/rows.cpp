@@ -240,6 +240,7 @@ std::optional<double> RowCells::number(const CsvRow& row, std::size_t column) {
                 if (marks_an_error(text)) errors_.emplace_back(text, row.line);
                 return std::nullopt;
               }
+              if (columns_[column].role == DataRole::time) return time(text, row.line, column);
               const double value = read_number(text, row.line, columns_[column], numbers_);
               if (!is_of_sensor(columns_[column].role)) return value;
               require_measurable(value);
@@ -247,6 +248,17 @@ std::optional<double> RowCells::number(const CsvRow& row, std::size_t column) {
               return value;
             })
       .value_or(std::nullopt);
+}
+
+double RowCells::time(std::string_view text, std::size_t line, std::size_t column) {
+  if (const auto seconds = clock_.read(text)) return *seconds;
+  try {
+    return read_number(text, line, columns_[column], numbers_);
+  } catch (const InputError&) {
+    throw InputError(
+        {.expected = "the time of the sample: a number, or a time of day with seconds, such as "
+                     "9:59:58.25 or 2026-11-30 09:59:58.25"});
+  }
 }
 
 std::optional<double> RowCells::covariate(const CsvRow& row, std::size_t column) {

@@ -14,6 +14,7 @@
 #include "core/grasp.hpp"
 #include "core/text.hpp"
 #include "readings/columns.hpp"
+#include "readings/wall_clock.hpp"
 
 namespace reeve::readings {
 
@@ -132,6 +133,7 @@ class RowCells {
   bool is_tare(const CsvRow& row) const;
   bool is_summary(const CsvRow& row) const;
   std::optional<double> number(const CsvRow& row, std::size_t column);
+  double time(std::string_view text, std::size_t line, std::size_t column);
   static double read_number(std::string_view text, std::size_t line, const DataColumn& column,
                             CsvNumberReader& numbers);
 
@@ -140,6 +142,7 @@ class RowCells {
   FaultList& faults_;
   CsvNumberReader numbers_;                  // of all columns but covariates
   std::vector<CsvNumberReader> covariates_;  // [column]
+  WallClock clock_;
   Tare tare_;
   std::vector<std::size_t> lines_without_name_;
   std::vector<std::size_t> lines_of_summary_;

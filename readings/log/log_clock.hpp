@@ -11,18 +11,10 @@
 // Assumed is that samples are taken evenly.
 #pragma once
 
-#include <string_view>
-
 #include "readings/columns.hpp"
 #include "readings/log/logged_series.hpp"
 
 namespace reeve::readings {
-
-// True of "12:00:00.01" and "2024-05-01T12:00:00Z", which are no number of seconds.
-bool is_time_of_day(std::string_view text);
-// True of one of these, of a date alone ("2024-05-01", "1.5.2024", "5/1/24"), and of whatever else
-// a colon parts numbers in.
-bool is_date_or_time(std::string_view text);
 
 // Spreads the times of a coarse clock, where one sample in twenty or more repeats the time of the
 // one before. Notes that, and a clock that is likely in another unit:

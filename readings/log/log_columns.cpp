@@ -90,7 +90,8 @@ std::string clock_or_its_name(const ColumnList& columns, const ReadingOptions& o
   return fmt::format("{}; it has {}{}", clock_names, names, way_to_meaning(options, "time_s"));
 }
 
-void choose_clock(Header& header, const ReadingOptions& options) {
+void choose_clock(Header& header, const std::optional<CsvRow>& first,
+                  const ReadingOptions& options) {
   const ColumnList& columns = header.columns();
   int highest = 0;
   for (const DataColumn& column : columns) {
@@ -103,6 +104,8 @@ void choose_clock(Header& header, const ReadingOptions& options) {
       header.make_covariate(i);
     } else {
       ++clocks;
+      if (first && !first->ragged && wall_time(trimmed(first->fields[i])))
+        header.take_times_of_day(i);
     }
   }
   if (clocks == 1) return;
@@ -214,10 +217,11 @@ void require_no_missed_tension(Header& header, const ReadingOptions& options) {
 
 }  // namespace
 
-DataColumns read_log_columns(const CsvReader& csv, const std::optional<CsvRow>& units,
+DataColumns read_log_columns(const CsvReader& csv, const Beginning& beginning,
                              const ReadingOptions& options, FaultList& faults) {
+  const std::optional<CsvRow>& units = beginning.units;
   Header header(csv, units, options, log_of_a_rig, faults);
-  choose_clock(header, options);
+  choose_clock(header, beginning.first, options);
   refuse_columns_of_means(header);
   for (std::size_t i = 0; i < header.columns().size(); ++i) {
     if (!is_used(header.columns()[i])) header.set_role(i, DataRole::covariate);

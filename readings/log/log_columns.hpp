@@ -11,12 +11,12 @@
 #pragma once
 
 #include "readings/columns.hpp"
+#include "readings/rows.hpp"
 
 namespace reeve::readings {
 
-// `units` is the row of units, if there is one. What is wrong goes to `faults`; its columns have no
-// name.
-DataColumns read_log_columns(const CsvReader& csv, const std::optional<CsvRow>& units,
+// What is wrong goes to `faults`; its columns have no name.
+DataColumns read_log_columns(const CsvReader& csv, const Beginning& beginning,
                              const ReadingOptions& options, FaultList& faults);
 
 }  // namespace reeve::readings

@@ -13,6 +13,7 @@
 #include "readings/log/log_clock.hpp"
 #include "readings/log/log_columns.hpp"
 #include "readings/rows.hpp"
+#include "readings/wall_clock.hpp"
 
 namespace reeve::readings {
 namespace {
@@ -51,7 +52,7 @@ class LogWords {
     bool any = false;
     for (const std::string* word : words_) {
       if (word->empty()) continue;
-      if (!is_time_of_day(*word)) return false;
+      if (!wall_time(*word)) return false;
       any = true;
     }
     return any;
@@ -82,7 +83,6 @@ class LogReader {
         columns_(columns),
         faults_(faults),
         cells_(csv, columns, faults),
-        clock_(find_column(columns, DataRole::time)),
         values_(columns.size()) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       values_[c].is_text = is_label(columns[c].role);
@@ -90,15 +90,8 @@ class LogReader {
   }
 
   void read(const CsvRow& row) {
-    if (row.ragged || !clock_ || !is_date_or_time(trimmed(row.fields[*clock_]))) {
-      if (garbled_.size() == most_garbled || !is_garbled(row)) return read_cells(row);
-      garbled_.push_back(row);
-      return;
-    }
-    refuse_date(row);
-    CsvRow rest = row;  // all else that is wrong there is told, too
-    rest.fields[*clock_] = "0";
-    read_cells(rest);
+    if (garbled_.size() == most_garbled || !is_garbled(row)) return read_cells(row);
+    garbled_.push_back(row);
   }
 
   // Once all rows are read. A serial line loses characters now and then, and a device writes a line
@@ -153,20 +146,11 @@ class LogReader {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const bool is_numeric =
           is_of_numbers(columns_[i].role) || (values_[i].is_decided && !values_[i].is_text);
-      if (is_numeric && !has_form_of_number(trimmed(row.fields[i]))) return true;
+      const std::string_view text = trimmed(row.fields[i]);
+      const bool is_time = columns_[i].role == DataRole::time && wall_time(text);
+      if (is_numeric && !is_time && !has_form_of_number(text)) return true;
     }
     return false;
-  }
-
-  // Once, since the column has them throughout.
-  void refuse_date(const CsvRow& row) {
-    if (has_dates_) return;
-    has_dates_ = true;
-    const InputError refused(
-        {.expected = "the time of each sample as a number, such as its seconds: dates and times of "
-                     "day are refused (in a spreadsheet =(A2-A$2)*86400 makes seconds of those in "
-                     "column A)"});
-    cells_.add_fault(row, *clock_, refused, faults_);
   }
 
   void read_cells(const CsvRow& row) {
@@ -293,8 +277,6 @@ class LogReader {
   const std::vector<DataColumn>& columns_;
   FaultList& faults_;
   RowCells cells_;
-  std::optional<std::size_t> clock_;
-  bool has_dates_ = false;
   std::vector<CsvRow> garbled_;  // rows that are left out or faults, as far as they are kept
   std::vector<Values> values_;   // [column]
   LoggedSeries series_;
@@ -303,7 +285,7 @@ class LogReader {
 LoggedSeries read(CsvReader csv, const ReadingOptions& options) {
   FaultList faults;
   const Beginning beginning = read_beginning(csv, options, faults);
-  DataColumns columns = read_log_columns(csv, beginning.units, options, faults);
+  DataColumns columns = read_log_columns(csv, beginning, options, faults);
   LogReader rows(csv, columns.columns, faults);
   each_row(csv, beginning, faults, [&](const CsvRow& row) { rows.read(row); });
   rows.settle_garbled();

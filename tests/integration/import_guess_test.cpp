@@ -92,11 +92,11 @@ TEST(ImportGuess, ProposesACommandThatImportsAGermanLog) {
 
 TEST(ImportGuess, ListsAllThatIsMissingAtOnce) {
   const TemporaryFolder folder;
-  folder.write("log.csv", "Zeit;Kraft 1 [N];Motorstrom [A]\n10:00:01;1,5;0,2\n10:00:02;1,6;0,2\n");
+  folder.write("log.csv", "Zeit;Kraft 1 [N];Motorstrom [A]\n1.5.2024;1,5;0,2\n1.5.2024;1,6;0,2\n");
   const ProcessResult guess = reeve("import log.csv --guess", {.directory = folder.path()});
   EXPECT_EQ(guess.exit_code, 1);
   for (const char* piece :
-       {"dates and times of day are refused", "the header has one column of tensions",
+       {"expected the time of the sample", "the header has one column of tensions",
         "a current is no tension", "- the routing: --routing", "- all samples are of run 1",
         "- no finger is held", "neither position nor speed", "no motor tension is logged",
         "Problems\n"}) {

@@ -127,26 +127,37 @@ TEST(BadLog, IsNamedWithLineColumnAndWhatWasExpected) {
       {"t,T1_N,T2_N\n,1,2\n",
        "log.csv:2: column 't' = '': expected the time of the sample, a number"},
       {"t,T1_N,T2_N\n0,1,2\nx,1,2\n",
-       "log.csv:3: column 't' = 'x': expected a number from -1000000000000000 to 1000000000000000"},
+       "log.csv:3: column 't' = 'x': expected the time of the sample: a number, or a time of day "
+       "with seconds, such as 9:59:58.25 or 2026-11-30 09:59:58.25"},
+      {"t,T1_N,T2_N\n2024-03-01,1,2\n",
+       "log.csv:2: column 't' = '2024-03-01': expected the time …"},
+      {"t,T1_N,T2_N\n12:01,1,2\n", "log.csv:2: column 't' = '12:01': expected the time …"},
+      {"t,T1_N,T2_N\n0,1,2\n12:00:01,1,2\n",
+       "log.csv:3: column 't' = '12:00:01': expected a number, as in the samples before"},
+      {"t,T1_N,T2_N\n12:00:01,1,2\n3,1,2\n",
+       "log.csv:3: column 't' = '3': expected a time of day, as in the samples before"},
       {"t,T1_N,T2_N,c\n0,1,2,3\n1,1,2,x\n", "log.csv:3: column 'c' = 'x': …"},
   });
 }
 
-// Not once for each of a thousand rows.
-TEST(BadLog, HasItsClockOfDatesOrTimesOfDayNamedOnce) {
-  const std::string expected =
-      "expected the time of each sample as a number, such as its seconds: dates and times of day "
-      "are refused (in a spreadsheet =(A2-A$2)*86400 makes seconds of those in column A)";
-  for (const char* time : {"12:00:01.5", "2024-03-01T12:00:00.01Z", "3/1/2024 1:02:03 PM",
-                           "2024-03-01", "1.3.2024", "03/01/24"}) {
-    const std::string row = std::string(time) + ",1,2\n";
-    EXPECT_EQ(log_error("t,T1_N,T2_N\n" + row + row + row),
-              fmt::format("log.csv:2: column 't' = '{}': {}", time, expected));
-  }
-  EXPECT_EQ(log_error("t,T1_N,T2_N\n12:00:01,1,2\n12:00:02,x,2\n"),
-            "log.csv: 2 faults:\n  log.csv:2: column 't' = '12:00:01': " + expected +
-                "\n  log.csv:3: column 'T1_N' = 'x': expected a number from -1000000000 to "
-                "1000000000, or an empty cell");
+// Expected are the seconds since the beginning of the first day, counted by hand.
+TEST(LoggedSeries, HasTimesOfDayInSeconds) {
+  const auto times = [](const std::vector<std::string>& clock) {
+    std::string log = "time,T1_N,T2_N\n";
+    for (const std::string& time : clock) log += '"' + time + "\",1,2\n";
+    return parse_logged_series(log, "log.csv").time_s;
+  };
+  using Times = std::vector<double>;
+  EXPECT_EQ(times({"9:59:58", "09:59:59.25", "10:00:00,5"}), (Times{35998, 35999.25, 36000.5}));
+  EXPECT_EQ(times({"09:59:58:250", "09:59:58:500"}), (Times{35998.25, 35998.5}));
+  EXPECT_EQ(times({"23:59:59.5", "00:00:01"}), (Times{86399.5, 86401}));
+  EXPECT_EQ(times({"59:59.5", "00:01.5"}), (Times{3599.5, 3601.5}));
+  EXPECT_EQ(times({"2026-11-30T23:59:59Z", "2026-12-01T00:00:01Z"}), (Times{86399, 86401}));
+  EXPECT_EQ(times({"2026-11-30 09:00:00+01:00", "2026-12-01 10:00:00+01:00"}),
+            (Times{32400, 122400}));
+  EXPECT_EQ(times({"30.11.2026 12:00:00", "30.11.2026 11:00:00"}), (Times{43200, 39600}));
+  EXPECT_EQ(times({"11/30/2026 11:59:59 AM", "11/30/2026 12:00:01 PM", "12/1/2026 12:00:00 am"}),
+            (Times{43199, 43201, 86400}));
 }
 
 TEST(Recordings, EndWhereTheClockIsSetBackOrALabelChanges) {
