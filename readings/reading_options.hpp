@@ -56,6 +56,8 @@ struct ReadingOptions {
   // Names of the user's options, for the advice in messages: for `map` and for `units`.
   std::string map_option{};
   std::string unit_option{};
+  // The option that names the column of groups.
+  std::string group_option{};
   // The option that guesses the meanings of a log's columns.
   std::string guess_option{};
   // The option that names the routing of a log without such a column. Empty if it was given.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -139,9 +140,16 @@ std::string segment_names(const Network& network) {
 struct CovariateColumn {
   std::size_t column = 0;
   std::size_t numbers = 0;
-  FaultList faults;  // cells that are no number
+  FaultList faults;             // cells that are no number
+  std::set<std::string> words;  // these cells; up to one more than there may be groups
 
   bool is_of_words() const { return faults.count() > numbers; }
+  // Several rows share a word, as those of a lot do and times do not.
+  bool may_be_of_groups() const {
+    return words.size() > 1 && words.size() <= most_groups && 2 * words.size() <= faults.count();
+  }
+
+  static constexpr std::size_t most_groups = 20;
 };
 
 class RowReader {
@@ -156,7 +164,7 @@ class RowReader {
         cells_(csv, columns, faults),
         routings_(columns, resolve) {
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (columns[i].role == DataRole::covariate) covariates_.push_back({i, 0, {}});
+      if (columns[i].role == DataRole::covariate) covariates_.push_back({i, 0, {}, {}});
     }
   }
 
@@ -188,6 +196,7 @@ class RowReader {
       reading.tension_N.resize(data_.channels.size());
       reading.error_N.resize(data_.channels.size());
     }
+    note_directions(directions_, data_.notes);
     cells_.note_cells(data_.notes);
     set_known_noise();
     set_covariates();
@@ -233,7 +242,11 @@ class RowReader {
       });
       reading.grasp = held.value_or(Grasp{});
     }
-    const auto said = word(row, DataRole::direction, read_direction).value_or(std::nullopt);
+    const auto said = word(row, DataRole::direction, [&](std::string_view text) {
+                        const auto direction = read_direction(text);
+                        if (!directions_.contains(text)) directions_.emplace(text);
+                        return direction;
+                      }).value_or(std::nullopt);
     reading.direction = said.value_or(Direction::pull);
     reading.direction_assumed = !said;
   }
@@ -307,6 +320,9 @@ class RowReader {
         if (value) ++covariate.numbers;
       } catch (const InputError& error) {
         cells_.add_fault(row, covariate.column, error, covariate.faults);
+        if (covariate.words.size() <= CovariateColumn::most_groups) {
+          covariate.words.emplace(trimmed(row.fields[covariate.column]));
+        }
       }
       reading.covariates.push_back(value);
     }
@@ -363,6 +379,12 @@ class RowReader {
                      told)});
   }
 
+  std::string way_to_groups(const CovariateColumn& covariate) const {
+    if (options_.group || options_.group_option.empty() || !covariate.may_be_of_groups()) return "";
+    return fmt::format(". If it tells lots, winches or operators apart, {} '{}' compares these",
+                       options_.group_option, for_message(columns_[covariate.column].name));
+  }
+
   // A column most of whose cells are words is passed over; in another one, words are faults.
   void set_covariates() {
     for (const CovariateColumn& covariate : covariates_) {
@@ -370,8 +392,8 @@ class RowReader {
       if (covariate.is_of_words()) {
         data_.notes.push_back(
             {NoteKind::passed_over,
-             fmt::format("column '{}' has words and is none that is known: it is not read",
-                         for_message(name))});
+             fmt::format("column '{0}' has words and is none that is known: it is not read{1}",
+                         for_message(name), way_to_groups(covariate))});
       } else {
         faults_.add(covariate.faults);
         cells_.require_mark(covariate.column, faults_);
@@ -396,6 +418,7 @@ class RowReader {
   std::vector<CovariateColumn> covariates_;
   NamesSeen runs_;
   NamesSeen groups_;
+  std::set<std::string, std::less<>> directions_;
   std::vector<std::size_t> without_tension_;  // places in the readings
   MeasuredData data_;
 };

@@ -125,11 +125,28 @@ std::string held_is_assumed(std::size_t assumed, std::size_t all, std::string_vi
 }
 
 std::optional<Direction> read_direction(std::string_view text) {
+  constexpr std::array pulls{"pull",  "pulling", "flexion", "flex",   "flexing",
+                             "close", "closing", "load",    "loading"};
+  constexpr std::array releases{"release", "releasing", "extension", "extend",   "extending",
+                                "open",    "opening",   "unload",    "unloading"};
   const std::string direction = lower(text);
   if (is_missing(direction)) return std::nullopt;
-  if (direction == "pull") return Direction::pull;
-  if (direction == "release") return Direction::release;
+  if (std::ranges::find(pulls, direction) != pulls.end()) return Direction::pull;
+  if (std::ranges::find(releases, direction) != releases.end()) return Direction::release;
   throw InputError({.expected = "pull, release, or an empty cell"});
+}
+
+void note_directions(const std::set<std::string, std::less<>>& words,
+                     std::vector<DataNote>& notes) {
+  std::string told;
+  for (const std::string& word : words) {
+    const auto direction = read_direction(word);
+    const std::string_view name = direction == Direction::pull ? "pull" : "release";
+    if (!direction || lower(word) == name) continue;
+    told += fmt::format("{}'{}' as {}", told.empty() ? "" : ", ", word, name);
+  }
+  if (told.empty()) return;
+  notes.push_back({NoteKind::column_names, "directions are read so: " + told});
 }
 
 void Tare::add(std::size_t line, const std::vector<std::optional<double>>& zeros) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,6 +42,8 @@ void require_rows(const CsvReader& csv, std::size_t rows, const std::vector<Data
 // empty cell has no direction.
 Grasp read_held(std::string_view text, int fingers);
 std::optional<Direction> read_direction(std::string_view text);
+// Notes how these texts are read, but for "pull" and "release". Throws InputError of others.
+void note_directions(const std::set<std::string, std::less<>>& words, std::vector<DataNote>& notes);
 // True of an empty cell of held fingers, which does not say "none".
 bool leaves_held_open(std::string_view text);
 // "the held finger is not given in 48 of 48 rows: none is assumed to be held"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "core/error.hpp"
@@ -172,6 +173,9 @@ ImportReport import_study(LoggedSeries series, const ImportLabels& given,
   report.labels = filled_in(series, given);
   validate_labels(series, report.labels, given.start, resolve);
   note_held(series, report.labels, resolve);
+  std::set<std::string, std::less<>> directions;
+  for (const LogLabels& label : report.labels) directions.insert(label.direction);
+  readings::note_directions(directions, series.notes);
   report.steady = steady_readings(series, options);
   report.series = std::move(series);
   report.options = options;

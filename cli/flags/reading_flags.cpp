@@ -50,6 +50,7 @@ MeasuredData ReadingFlags::read(const std::string& file, const Catalogue& catalo
 ReadingOptions ReadingFlags::options() const {
   ReadingOptions result;
   result.map_option = "--map";
+  if (group_.option != nullptr) result.group_option = "--group";
   result.unit_option = "--unit";
   for (const std::string& text : map_) {
     result.map.push_back(for_option("--map", [&] { return parse_column_meaning(text); }));

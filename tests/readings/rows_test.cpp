@@ -169,6 +169,30 @@ TEST(AColumnOfWords, IsPassedOverAndNoted) {
             "column 'operator' has words and is none that is known: it is not read");
 }
 
+TEST(AColumnOfWords, ThatSeveralRowsShareMayTellGroups) {
+  const auto notes = [](const char* second) {
+    ReadingOptions options;
+    options.group_option = "--group";
+    const std::string text = fmt::format(
+        "run,routing,lot,T1_N\nA,TR5,blue,1\nA,TR5,{0},2\nB,TR5,blue,1\nB,TR5,{0},2\n", second);
+    return note_text(read_data(text, options).notes, NoteKind::passed_over);
+  };
+  const std::string read = "column 'lot' has words and is none that is known: it is not read";
+  EXPECT_EQ(notes("red"),
+            read + ". If it tells lots, winches or operators apart, --group 'lot' compares these");
+  EXPECT_EQ(notes("blue"), read);
+}
+
+TEST(Directions, MayBeNamedByWhatTheFingersDo) {
+  const MeasuredData data = read_data(
+      "run,routing,direction,T1_N\nA,TR5,Flexion,1\nA,TR5,unloading,2\nA,TR5,PULL,2\nA,TR5,,1\n");
+  EXPECT_EQ(data.readings[0].direction, Direction::pull);
+  EXPECT_EQ(data.readings[1].direction, Direction::release);
+  EXPECT_EQ(data.readings[2].direction, Direction::pull);
+  EXPECT_EQ(note_text(data.notes, NoteKind::column_names),
+            "directions are read so: 'Flexion' as pull, 'unloading' as release");
+}
+
 TEST(AColumnOfNumbers, MayHaveNoWords) {
   EXPECT_EQ(data_error("run,routing,x,T1_N\nA,TR5,1,1\nA,TR5,4O,2\n"),
             "d.csv:3: column 'x' = '4O': expected a finite number such as 12.5, or an empty cell");
