@@ -42,6 +42,7 @@ constexpr std::array known_names{
     KnownName{"timestamp", "time_s", DataRole::time, Dimension::time},
     KnownName{"t", "time_s", DataRole::time, Dimension::time},
     KnownName{"elapsed", "time_s", DataRole::time, Dimension::time},
+    KnownName{"xvalue", "time_s", DataRole::time, Dimension::time},  // LabVIEW
     KnownName{"position", "position_mm", DataRole::position, Dimension::length},
     KnownName{"pos", "position_mm", DataRole::position, Dimension::length},
 };

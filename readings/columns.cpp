@@ -136,9 +136,12 @@ std::optional<Unit> unit_at_the_end(std::string_view name, Dimension dimension) 
 std::string titles_text(const std::vector<CsvComment>& titles) {
   std::string text = titles.size() == 1 ? "a title above the header is not read: "
                                         : "titles above the header are not read: ";
-  for (const CsvComment& title : titles) {
-    text += fmt::format("{}'{}'", &title == &titles.front() ? "" : ", ", for_message(title.text));
+  constexpr std::size_t most = 5;
+  const std::size_t told = std::min(titles.size(), most);
+  for (std::size_t i = 0; i < told; ++i) {
+    text += fmt::format("{}'{}'", i == 0 ? "" : ", ", for_message(titles[i].text));
   }
+  if (told < titles.size()) text += fmt::format(" and {} more", titles.size() - told);
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -85,6 +86,20 @@ bool is_header(const std::vector<PlacedRow>& rows, std::size_t place) {
   return 2 * fitting > numbers;
 }
 
+std::optional<std::size_t> header_from(const std::vector<PlacedRow>& rows, std::size_t place) {
+  while (place < rows.size() && !is_header(rows, place)) ++place;
+  return place < rows.size() ? std::optional(place) : std::nullopt;
+}
+
+std::size_t rows_of_numbers(const std::vector<PlacedRow>& rows, std::size_t begin,
+                            std::size_t end) {
+  std::size_t count = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    count += shape_of(rows[i].text, separators_of(rows[i].text).separator()).has_number ? 1 : 0;
+  }
+  return count;
+}
+
 }  // namespace
 
 char SeparatorCounts::separator() const {
@@ -120,10 +135,16 @@ SeparatorCounts separators_of(std::string_view row) {
 
 std::size_t header_begin(std::string_view text, std::size_t begin) {
   const std::vector<PlacedRow> rows = first_rows(text, begin);
-  for (std::size_t place = 0; place < rows.size(); ++place) {
-    if (is_header(rows, place)) return rows[place].begin;
+  const auto first = header_from(rows, 0);
+  if (!first) return begin;
+  std::size_t header = *first;
+  for (auto next = header_from(rows, header + 1); next; next = header_from(rows, *next + 1)) {
+    const std::size_t between = rows_of_numbers(rows, header, *next);
+    const bool is_behind_titles =
+        between > 0 && between < rows_of_numbers(rows, *next, rows.size());
+    if (is_behind_titles && rows[*next].text != rows[header].text) header = *next;
   }
-  return begin;
+  return rows[header].begin;
 }
 
 }  // namespace reeve::readings

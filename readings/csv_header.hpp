@@ -1,8 +1,10 @@
 // Finds the header of a CSV file, which may stand below titles.
 //
 // A logger may write lines above the header: the name of a measurement, its date. The header is the
-// first row without a number that has as many fields as most of the rows of numbers below it. A
-// file without such a row begins with its header.
+// first row without a number that has as many fields as most of the rows of numbers below it. Where
+// a few rows of numbers and then another such row with more of them follow, as behind the titles
+// that LabVIEW writes for each channel, it is that one. A file without such a row begins with its
+// header.
 #pragma once
 
 #include <cstddef>

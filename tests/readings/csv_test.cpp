@@ -111,6 +111,17 @@ TEST(Csv, FindsTheHeaderBelowTitles) {
   EXPECT_EQ(titles_of("# c\nMessung\nMai\n" + log), (Fields{"Messung", "Mai"}));
 }
 
+// LabVIEW writes lines with a word for each channel, and two with numbers.
+TEST(Csv, FindsTheHeaderBelowTitlesOfChannels) {
+  const std::string titles = "Date\t2026/11/30\t2026/11/30\nY_Unit\tN\tN\nX0\t0.0\t0.0\n";
+  const Table table = read(titles + "X_Value\tT1\tT2\n0\t1\t2\n0.1\t1\t2\n");
+  EXPECT_EQ(table.header, (Fields{"X_Value", "T1", "T2"}));
+  EXPECT_EQ(table.rows.size(), 2U);
+  // Not where as many numbers stand above: a row of words may be in the midst of readings.
+  EXPECT_EQ(read("a,b\n1,2\nx,y\n3,4\n").header, (Fields{"a", "b"}));
+  EXPECT_EQ(read("a,b\n1,2\na,b\n3,4\n5,6\n").header, (Fields{"a", "b"}));
+}
+
 TEST(Csv, BeginsWithItsHeaderIfNoRowBelowFitsBetter) {
   for (const char* text : {"a,b\n1,2\n", "a,b\nx,y\n1,2\n", "a,b\n1,2,3\n", "a,b\nx,y\n",
                            "1,2\n3,4\n", "a,b,\n1,2\n", "a,b\n1,\n2,\n"}) {
