@@ -15,6 +15,7 @@
 #include "diagnosis/diagnosis_result.hpp"
 #include "diagnosis/fit/intervals.hpp"
 #include "diagnosis/fit/problem.hpp"
+#include "diagnosis/fit/set_readings.hpp"
 #include "diagnosis/plan/next_measurement.hpp"
 #include "diagnosis/search/candidates.hpp"
 #include "diagnosis/verdict/confirmation.hpp"

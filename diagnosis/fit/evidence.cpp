@@ -4,11 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <set>
 #include <utility>
 
 #include "diagnosis/fit/scatter_fit.hpp"
+#include "diagnosis/fit/set_readings.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -121,9 +120,8 @@ bool is_fitted_in_all(const MountingScatter& mounting) {
   return true;
 }
 
-// A scatter is at most what is believed of mountings.
-// The scatter is in units of s0: what somebody said, and what is assumed since no readings tell
-// it, does not grow with s0.
+// A scatter is at most what is believed of mountings. It is in units of s0: what somebody said, and
+// what is assumed since no readings tell it, does not grow with s0.
 MountedScatter scatter_at(const ScatterShape& shape, const ScatterLevel& level, double scale) {
   const MountingScatter& mounting = shape.scatter.mounting;
   MountedScatter scatter = mounting.relative;
@@ -159,83 +157,6 @@ void spread_motor(Problem& problem, const VectorXd& beyond) {
 }
 
 }  // namespace
-
-std::optional<SetReadings> set_readings(const Dataset& dataset) {
-  constexpr double wide = 30;  // times the median step from one reading to the next
-  constexpr std::size_t few = 3;
-  constexpr double followed = 0.5;
-  struct Pair {
-    double reading_N;
-    double motor_N;
-    std::size_t run;
-  };
-  double within_square = 0, within = 0, between_square = 0, between = 0;
-  double of_readings = 0, of_motor = 0;  // squares of relative differences within clusters
-  std::map<std::size_t, std::set<std::size_t>> clusters_of_run;
-  std::size_t clusters = 0;
-  std::size_t most_of_a_block = 0;
-  double degrees = 0;
-  for (const ReadingBlock& block : dataset.blocks) {
-    std::vector<Pair> pairs;
-    for (const std::size_t r : block.rows) {
-      const DatasetRow& row = dataset.rows[r];
-      if (!row.has_motor_tension || row.motor_deviation_N > 0 || row.last - row.first != 1) {
-        return std::nullopt;
-      }
-      pairs.push_back({dataset.cells[row.first].measured_N, row.conditions.motor_tension_N,
-                       dataset.data->readings[row.reading].run});
-    }
-    std::ranges::sort(pairs, {}, &Pair::reading_N);
-    VectorXd steps(std::max<Index>(static_cast<Index>(pairs.size()) - 1, 0));
-    for (Index i = 0; i < steps.size(); ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      steps[i] = pairs[k + 1].reading_N - pairs[k].reading_N;
-    }
-    const double gap = wide * median_size(steps);
-    Pair all{0, 0, 0};
-    for (const Pair& pair : pairs) {
-      all.reading_N += pair.reading_N / static_cast<double>(pairs.size());
-      all.motor_N += pair.motor_N / static_cast<double>(pairs.size());
-    }
-    const std::size_t clusters_before = clusters;
-    for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
-      for (end = begin + 1; end < pairs.size(); ++end) {
-        if (pairs[end].reading_N - pairs[end - 1].reading_N > gap) break;
-      }
-      if (end - begin < few) continue;
-      ++clusters;
-      degrees += static_cast<double>(end - begin - 1);
-      const auto size = static_cast<double>(end - begin);
-      Pair own{0, 0, 0};
-      for (std::size_t i = begin; i < end; ++i) {
-        own.reading_N += pairs[i].reading_N / size;
-        own.motor_N += pairs[i].motor_N / size;
-      }
-      for (std::size_t i = begin; i < end; ++i) {
-        const double motor = pairs[i].motor_N - own.motor_N;
-        const double reading = pairs[i].reading_N - own.reading_N;
-        within_square += motor * motor;
-        within += motor * reading;
-        of_readings += std::pow(reading / own.reading_N, 2);
-        of_motor += std::pow(motor / own.motor_N, 2);
-        clusters_of_run[pairs[i].run].insert(clusters);
-      }
-      const double motor = own.motor_N - all.motor_N;
-      between_square += size * motor * motor;
-      between += size * motor * (own.reading_N - all.reading_N);
-    }
-    most_of_a_block = std::max(most_of_a_block, clusters - clusters_before);
-  }
-  const bool several = most_of_a_block >= few;
-  constexpr double exact = 1e-3;
-  if (clusters == 0 || !(of_motor > of_readings)) return std::nullopt;
-  const bool follows = !several || !(between_square > 0) ||
-                       within / within_square >= followed * between / between_square;
-  if (follows && of_readings > exact * exact * of_motor) return std::nullopt;
-  const bool one_of_each_run =
-      std::ranges::all_of(clusters_of_run, [](const auto& of) { return of.second.size() == 1; });
-  return SetReadings{std::sqrt(within_square / degrees), one_of_each_run, several};
-}
 
 ScatterShape scatter_shape(const Dataset& dataset, const Model& reference,
                            std::optional<double> given, Workers& workers) {

@@ -38,19 +38,6 @@ struct ScatterLevel {
   bool motor_scatters() const { return motor > 0 || rounded; }
 };
 
-struct SetReadings {
-  double motor_N = 0;  // by which the motor tension scatters about them
-  // Each run has readings of one cluster: what differs between runs is what was set.
-  bool one_of_each_run = false;
-  bool several = false;  // clusters, which tell that scatter from what friction does
-};
-
-// Returns the scatter of the motor tension about readings that were set, such as those of a few
-// weights. The readings come in clusters, and the motor tension scatters in them by more than the
-// readings. These do not follow it: the slope within clusters is less than half of that between
-// them, or the readings of each are all the same. Returns nothing otherwise.
-std::optional<SetReadings> set_readings(const Dataset& dataset);
-
 // The readings must leave something beside the reference model.
 struct ScatterShape {
   Scatter scatter;

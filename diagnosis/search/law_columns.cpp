@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include "diagnosis/fit/evidence.hpp"
+#include "diagnosis/fit/set_readings.hpp"
 #include "diagnosis/search/cause_screening.hpp"
 #include "numerics/matrices.hpp"
 

@@ -17,6 +17,7 @@
 #include "core/error.hpp"
 #include "diagnosis/diagnose.hpp"
 #include "diagnosis/fit/evidence.hpp"
+#include "diagnosis/fit/set_readings.hpp"
 #include "diagnosis/search/law_forms.hpp"
 #include "diagnosis/search/levers.hpp"
 #include "numerics/random.hpp"
