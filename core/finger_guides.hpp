@@ -9,9 +9,10 @@
 // S_j = phi_1 + … + phi_j, as each strand passes all n guides. But where the finger closes by more
 // than slides round its tip, both strands slide to the palm past every guide, and lose as much
 // there: between the palm ends phi_tip alone counts, and in release likewise, both ways turned. By
-// just as much: one strand rests at the palm, where its guides hold up to S_n either way; if blocks
-// tie the tendon, they count as sliding. From the tensions T_l and T_r of both strands at the palm,
-// e^{−Phi} <= T_l / T_r <= e^{Phi}, follow those behind guide j, which joint j feels:
+// just as much: one strand rests at the palm. As the finger closes, its guides hold up to S_n
+// either way; as it opens, and if blocks tie the tendon, they count as sliding. From the tensions
+// T_l and T_r of both strands at the palm, e^{−Phi} <= T_l / T_r <= e^{Phi}, follow those behind
+// guide j, which joint j feels:
 //
 //   T_l,j = max(T_l e^{−S_j}, T_r e^{−(Phi − S_j)})      and T_r,j likewise, l and r exchanged
 //
@@ -39,8 +40,8 @@
 // posture.
 //
 // Assumptions: Coulomb friction; both strands pass guides of equal wrap; a strand slides one way at
-// all of its guides, as at the palm; the finger's own stretches are short beside the strands. What
-// goes round a loop is chosen as if guides slid as the tip does. The pulls of a grasp at the palm
+// all of its guides, as at the palm; the finger's own stretches are short beside the strands. The
+// pulls of a grasp at the palm
 // are those of the posture that holds.
 // Source: capstan law (tension/tension.hpp), guide by guide; wrap = bend of the joint, as for
 // tendon sheaths: M. Kaneko, T. Yamashita, K. Tanie, Basic considerations on transmission

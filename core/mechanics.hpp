@@ -45,6 +45,11 @@ struct Mechanics {
   bool in_range = true;  // no exponent is beyond max_exponent
 
   double spool(std::size_t segment) const { return spools.empty() ? 1 : spools[segment]; }
+  // The part of a contact's exponent that is of guides.
+  double guides(std::size_t contact) const {
+    if (guided_tips.empty() || guided_tips[contact].guides == 0) return 0;
+    return phi[contact] * guided_tips[contact].guides / guided_tips[contact].phi;
+  }
 };
 
 // Prepared hardware: what does not depend on the routing is computed once, so that `apply` costs a

@@ -157,17 +157,39 @@ double taut_share(const Network& network, const TendonSpan& tendon, const Mechan
   return mechanics.slack_mm.empty() ? 1 : tally(network, tendon, mechanics, grasp).taut;
 }
 
-double Kinematics::circulation(const TendonSpan& tendon, const Mechanics& mechanics,
-                               const Motion& motion) {
+GuideUse guide_use(const Network& network, const Mechanics& mechanics, std::size_t contact,
+                   const std::vector<double>& slip, const std::vector<double>& closing) {
+  constexpr double rounding = 1e-9;
+  if (mechanics.guides(contact) == 0) return GuideUse::whole;
+  const double closes = closing[static_cast<std::size_t>(network.contacts[contact].finger) - 1];
+  const double more = std::abs(slip[contact]) - closes;
+  if (closes > 0 && std::abs(more) <= rounding * closes) return GuideUse::one_strand_rests;
+  return more < 0 ? GuideUse::alike : GuideUse::whole;
+}
+
+Slide slide_at(const Network& network, const Mechanics& mechanics, const Motion& motion,
+               const TendonSpan& tendon, std::size_t contact) {
+  const bool holds = tendon.closed && guide_use(network, mechanics, contact, motion.slip,
+                                                motion.closing) == GuideUse::one_strand_rests;
+  return holds ? Slide::no : slide_of(motion.slip[contact]);
+}
+
+double Kinematics::circulation(const Network& network, const TendonSpan& tendon,
+                               const Mechanics& mechanics, const Motion& motion) {
   points_.clear();
   double total = 0;
   for (std::size_t k = tendon.first_contact; k < tendon.first_contact + tendon.contacts; ++k) {
-    points_.push_back({-motion.slip[k], mechanics.phi[k]});
+    const double guides = mechanics.guides(k);
+    points_.push_back({-motion.slip[k], mechanics.phi[k] - guides});
     total += mechanics.phi[k];
+    if (guides == 0) continue;
+    const double dl = motion.closing[static_cast<std::size_t>(network.contacts[k].finger) - 1];
+    points_.push_back({dl - motion.slip[k], guides / 2});
+    points_.push_back({-dl - motion.slip[k], guides / 2});
   }
   std::sort(points_.begin(), points_.end(),
             [](const WeightedPoint& a, const WeightedPoint& b) { return a.at < b.at; });
-  // The median is always the breakpoint of some contact: that one is still, and the tension solver
+  // The median is always the breakpoint of some contact: that one holds, and the tension solver
   // opens the loop there. Where a whole interval is as good, either end gives the same tensions.
   double below = 0;
   for (const WeightedPoint& point : points_) {
@@ -185,7 +207,8 @@ void Kinematics::settle_slip(const Network& network, const TendonSpan& tendon,
   } else {
     accumulate_slip_at_bars(network, tendon, motion);
   }
-  if (tendon.closed) add_circulation(tendon, circulation(tendon, mechanics, motion), motion);
+  if (tendon.closed)
+    add_circulation(tendon, circulation(network, tendon, mechanics, motion), motion);
 }
 
 void Kinematics::solve_tree(const Network& network, const Mechanics& mechanics, Grasp grasp,
@@ -274,7 +297,8 @@ void Kinematics::solve_tendon(const Network& network, const Mechanics& mechanics
     motion.take_up[i] *= sums.taut;
   }
   accumulate_slip(tendon, motion);
-  if (tendon.closed) add_circulation(tendon, circulation(tendon, mechanics, motion), motion);
+  if (tendon.closed)
+    add_circulation(tendon, circulation(network, tendon, mechanics, motion), motion);
 }
 
 void Kinematics::solve(const Network& network, const Mechanics& mechanics, Grasp grasp,

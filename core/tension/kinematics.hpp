@@ -10,6 +10,10 @@
 //   e_i + s_i - s_{i-1} = 0,      on a loop up to a circulation c that minimises Σ phi_k |s_k|:
 //                                 the friction-weighted median
 //
+// Of a tip with guides phi_k is its own, and the guides of both strands, which slide by dl − s and
+// dl + s at the palm, add S |dl − s| + S |dl + s| (finger_guides.hpp). Where the median is there,
+// s = ± dl, a strand rests at the palm, and its tip counts as one that does not slide.
+//
 // The thread is only nearly inextensible: what yields (e_i < 0: fingers when pulling, the carriage
 // when releasing, a carriage that lets out while another pulls) yields a fraction epsilon less than
 // what drives, and that is the take-up which stretches the tendon. take_up holds it per segment, in
@@ -29,6 +33,7 @@
 // docs/model.md, sections 2 and 3, derives this.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/grasp.hpp"
@@ -60,6 +65,20 @@ inline Slide slide_of(double slip) {
   return slip > 0 ? Slide::to_right : Slide::to_left;
 }
 
+// How a tip's slip stands to the guides of its finger.
+enum class GuideUse : std::uint8_t {
+  whole,             // the strands pass them one after the other; or there are none
+  one_strand_rests,  // likewise, but at the palm end of one strand nothing slides
+  alike,             // both strands slide the same way past them
+};
+
+GuideUse guide_use(const Network& network, const Mechanics& mechanics, std::size_t contact,
+                   const std::vector<double>& slip, const std::vector<double>& closing);
+
+// How the contact counts: one of a loop at which guides hold does not slide.
+Slide slide_at(const Network& network, const Mechanics& mechanics, const Motion& motion,
+               const TendonSpan& tendon, std::size_t contact);
+
 // Returns the share of the tendon's travel behind its slack: 0 if it never gets taut, 1 without
 // slack.
 double taut_share(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
@@ -85,7 +104,8 @@ class Kinematics {
                    Direction direction, Motion& motion);
   void solve_tendon(const Network& network, const Mechanics& mechanics, const Grasp& grasp,
                     Direction direction, std::size_t tendon, Motion& motion);
-  double circulation(const TendonSpan& tendon, const Mechanics& mechanics, const Motion& motion);
+  double circulation(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
+                     const Motion& motion);
 
   std::vector<WeightedPoint> points_;
 };

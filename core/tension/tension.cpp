@@ -14,15 +14,6 @@ namespace {
 // Tolerance of the inequality between rounded products that decides if a loop may be opened.
 constexpr double cone_tolerance = 1e-12;
 
-// Motions nearer than this share of a finger's closing are alike.
-constexpr double motion_rounding = 1e-9;
-
-// Returns the excess over the capstan cone, in the ratio of two neighbouring tensions; <= 0:
-// inside.
-double cone_excess(double left, double right, double decay) {
-  return std::max(left, right) * decay / std::min(left, right) - 1;
-}
-
 // Virtual work: a spool of radius r pulls the carriage with r times its tendon's tension, and a
 // locked end with nothing.
 void scale_to_unit_motor_tension(const Network& network, const Mechanics& mechanics,
@@ -61,34 +52,17 @@ void make_absolute(const Network& network, const Mechanics& mechanics, const Gra
   }
 }
 
-// How the guides of a finger count between the palm ends of its strands.
-enum class GuideUse : std::uint8_t { whole, one_strand_rests, none };
-
-// Where a finger closes or opens by more than slides round its tip, both strands slide the same way
-// past its guides. Each loses as much there, so that between the palm ends the tip alone counts. By
-// just as much: one strand rests at its palm end, and there its guides hold what they can.
-GuideUse guide_use(const Network& network, const TendonSpan& tendon, double slip, double closing) {
-  const double more = std::abs(slip) - closing;
-  const bool rests = closing > 0 && std::abs(more) <= motion_rounding * closing;
-  if (closing == 0 || (more > 0 && !rests)) return GuideUse::whole;
-  if (!rests) return GuideUse::none;
-  return is_tied(network, tendon) ? GuideUse::whole : GuideUse::one_strand_rests;
-}
-
 }  // namespace
 
-double sliding_exponent(const Network& network, const Mechanics& mechanics,
-                        const TendonSpan& tendon, std::size_t contact, const TensionState& state) {
-  const double phi = mechanics.phi[contact];
-  if (mechanics.guided_tips.empty() || mechanics.guided_tips[contact].guides == 0) return phi;
-  const GuidedTip& tip = mechanics.guided_tips[contact];
-  const auto finger = static_cast<std::size_t>(network.contacts[contact].finger) - 1;
-  const GuideUse use = guide_use(network, tendon, state.slip[contact], state.closing[finger]);
-  return use == GuideUse::none ? phi - phi * tip.guides / tip.phi : phi;
+double sliding_exponent(const Network& network, const Mechanics& mechanics, std::size_t contact,
+                        const TensionState& state) {
+  const bool alike =
+      guide_use(network, mechanics, contact, state.slip, state.closing) == GuideUse::alike;
+  return mechanics.phi[contact] - (alike ? mechanics.guides(contact) : 0);
 }
 
-void TensionSolver::solve_open(const TendonSpan& tendon, const Mechanics& mechanics,
-                               std::size_t first, TensionState& state) {
+void TensionSolver::solve_open(const Network& network, const TendonSpan& tendon,
+                               const Mechanics& mechanics, std::size_t first, TensionState& state) {
   const std::size_t n = tendon.segments;
   segments_.clear();
   contacts_.clear();
@@ -99,7 +73,7 @@ void TensionSolver::solve_open(const TendonSpan& tendon, const Mechanics& mechan
     places_.push_back(segments_.size());
     segments_.push_back(
         {mechanics.length[tendon.first_segment + k], motion_.take_up[tendon.first_segment + k]});
-    if (j > 0) add_contact(tendon.first_contact + before, mechanics);
+    if (j > 0) add_contact(network, mechanics, tendon, tendon.first_contact + before);
     before = k;
   }
   chain_tension_.resize(segments_.size());
@@ -112,19 +86,23 @@ void TensionSolver::solve_open(const TendonSpan& tendon, const Mechanics& mechan
   }
 }
 
-// Between the last two segments. A strand that rests at its palm end has its guides apart, and
-// between them and the tip a stretch without length, which takes up what the strand does. In
-// release it is the other strand; no strand takes anything up then, and both ways allow the same
-// tensions.
-void TensionSolver::add_contact(std::size_t contact, const Mechanics& mechanics) {
-  const ChainContact tip{mechanics.decay[contact], slide_of(motion_.slip[contact])};
-  if (resting_guides_.empty() || resting_guides_[contact] == 1) {
-    contacts_.push_back(tip);
+// Between the last two segments. A strand that rests at its palm end as its finger closes has its
+// guides apart, and between them and the tip a stretch without length, which takes up what the
+// strand does. As the finger opens, the strand takes nothing up, and its guides slide with the tip.
+void TensionSolver::add_contact(const Network& network, const Mechanics& mechanics,
+                                const TendonSpan& tendon, std::size_t contact) {
+  const Slide slide = slide_at(network, mechanics, motion_, tendon, contact);
+  const bool rests_left = slide == Slide::to_right;
+  ChainSegment& strand = *(segments_.end() - (rests_left ? 2 : 1));
+  if (slide == Slide::no || strand.take_up == 0 ||
+      guide_use(network, mechanics, contact, motion_.slip, motion_.closing) !=
+          GuideUse::one_strand_rests) {
+    contacts_.push_back({mechanics.decay[contact], slide});
     return;
   }
-  const ChainContact guides{resting_guides_[contact], Slide::no};
-  const bool rests_left = tip.slide == Slide::to_right;
-  ChainSegment& strand = *(segments_.end() - (rests_left ? 2 : 1));
+  const double resting = std::exp(-mechanics.guides(contact) / 2);
+  const ChainContact guides{resting, Slide::no};
+  const ChainContact tip{mechanics.decay[contact] / resting, slide};
   const ChainSegment behind{0, std::exchange(strand.take_up, 0)};
   segments_.insert(segments_.end() - 1, behind);
   ++places_.back();
@@ -135,24 +113,24 @@ void TensionSolver::add_contact(std::size_t contact, const Mechanics& mechanics)
 // The forces at a loop's contacts are determined up to one that goes round: it can be chosen such
 // that some still contact carries none and no other pulls the wrong way. The chain that is opened
 // there has the loop's tensions, which lie in that contact's cone.
-void TensionSolver::solve_loop(const TendonSpan& tendon, const Mechanics& mechanics,
-                               TensionState& state) {
+void TensionSolver::solve_loop(const Network& network, const TendonSpan& tendon,
+                               const Mechanics& mechanics, TensionState& state) {
   for (std::size_t k = 0; k < tendon.contacts; ++k) {
-    if (motion_.slip[tendon.first_contact + k] != 0) continue;
+    const std::size_t contact = tendon.first_contact + k;
+    if (slide_at(network, mechanics, motion_, tendon, contact) != Slide::no) continue;
     const auto [left, right] = ends_of(tendon, k);
-    solve_open(tendon, mechanics, right - tendon.first_segment, state);
-    const double excess = cone_excess(state.tension[left], state.tension[right],
-                                      mechanics.decay[tendon.first_contact + k]);
-    if (excess <= cone_tolerance) return;
+    solve_open(network, tendon, mechanics, right - tendon.first_segment, state);
+    const auto [low, high] = std::minmax(state.tension[left], state.tension[right]);
+    if (high * mechanics.decay[contact] <= low * (1 + cone_tolerance)) return;
   }
 }
 
-void TensionSolver::solve_tendon(const TendonSpan& tendon, const Mechanics& mechanics,
-                                 TensionState& state) {
+void TensionSolver::solve_tendon(const Network& network, const TendonSpan& tendon,
+                                 const Mechanics& mechanics, TensionState& state) {
   if (tendon.closed) {
-    solve_loop(tendon, mechanics, state);
+    solve_loop(network, tendon, mechanics, state);
   } else {
-    solve_open(tendon, mechanics, 0, state);
+    solve_open(network, tendon, mechanics, 0, state);
   }
 }
 
@@ -179,7 +157,7 @@ void TensionSolver::solve_tendons(const Network& network, const Mechanics& mecha
       const auto first = state.tension.begin() + static_cast<std::ptrdiff_t>(tendon.first_segment);
       std::fill_n(first, tendon.segments, 0.0);
     } else if (!is_tied(network, tendon)) {
-      solve_tendon(tendon, mechanics, state);
+      solve_tendon(network, tendon, mechanics, state);
     } else if (begins_tree(network, t)) {
       solve_tree(network, mechanics, tendon.tree, state);
     }
@@ -187,23 +165,13 @@ void TensionSolver::solve_tendons(const Network& network, const Mechanics& mecha
 }
 
 const Mechanics& TensionSolver::past_guides(const Network& network, const Mechanics& mechanics) {
-  resting_guides_.clear();
   if (mechanics.guided_tips.empty()) return mechanics;
   past_guides_ = mechanics;
-  resting_guides_.assign(network.contacts.size(), 1.0);
-  for (const TendonSpan& tendon : network.tendons) {
-    for (std::size_t k = tendon.first_contact; k < tendon.first_contact + tendon.contacts; ++k) {
-      const GuidedTip& tip = mechanics.guided_tips[k];
-      if (tip.guides == 0) continue;
-      const auto finger = static_cast<std::size_t>(network.contacts[k].finger) - 1;
-      const GuideUse use = guide_use(network, tendon, motion_.slip[k], motion_.closing[finger]);
-      if (use == GuideUse::whole) continue;
-      const bool rests = use == GuideUse::one_strand_rests;
-      const double guides = mechanics.phi[k] * tip.guides / tip.phi;
-      if (rests) resting_guides_[k] = std::exp(-guides / 2);
-      past_guides_.phi[k] -= rests ? guides / 2 : guides;
-      past_guides_.decay[k] = std::exp(-past_guides_.phi[k]);
-    }
+  for (std::size_t k = 0; k < network.contacts.size(); ++k) {
+    if (guide_use(network, mechanics, k, motion_.slip, motion_.closing) != GuideUse::alike)
+      continue;
+    past_guides_.phi[k] -= mechanics.guides(k);
+    past_guides_.decay[k] = std::exp(-past_guides_.phi[k]);
   }
   return past_guides_;
 }
@@ -235,8 +203,7 @@ void TensionSolver::solve(const Network& network, const Mechanics& mechanics, Gr
 
 void TensionSolver::solve_relative_again(const Network& network, const Mechanics& mechanics,
                                          Grasp grasp, Direction direction, TensionState& state) {
-  const bool has_loop = std::any_of(network.tendons.begin(), network.tendons.end(),
-                                    [](const TendonSpan& tendon) { return tendon.closed; });
+  const bool has_loop = std::ranges::any_of(network.tendons, &TendonSpan::closed);
   if (has_loop) {
     solve_relative(network, mechanics, grasp, direction, state);
     return;

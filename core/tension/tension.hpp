@@ -74,14 +74,17 @@ class TensionSolver {
   const Mechanics& past_guides(const Network& network, const Mechanics& mechanics);
   void solve_in_motion(const Network& network, const Mechanics& mechanics, TensionState& state);
   void solve_tendons(const Network& network, const Mechanics& mechanics, TensionState& state);
-  void solve_tendon(const TendonSpan& tendon, const Mechanics& mechanics, TensionState& state);
-  void solve_open(const TendonSpan& tendon, const Mechanics& mechanics, std::size_t first,
-                  TensionState& state);
-  void add_contact(std::size_t contact, const Mechanics& mechanics);
+  void solve_tendon(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
+                    TensionState& state);
+  void solve_open(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
+                  std::size_t first, TensionState& state);
+  void add_contact(const Network& network, const Mechanics& mechanics, const TendonSpan& tendon,
+                   std::size_t contact);
   void solve_tree(const Network& network, const Mechanics& mechanics, std::size_t tree,
                   TensionState& state);
   bool begins_tree(const Network& network, std::size_t tendon) const;
-  void solve_loop(const TendonSpan& tendon, const Mechanics& mechanics, TensionState& state);
+  void solve_loop(const Network& network, const TendonSpan& tendon, const Mechanics& mechanics,
+                  TensionState& state);
 
   Kinematics kinematics_;
   Motion motion_;
@@ -92,7 +95,6 @@ class TensionSolver {
   std::vector<std::size_t> places_;  // of the segments in the chain
   std::vector<double> chain_tension_;
   Mechanics past_guides_;
-  std::vector<double> resting_guides_;  // e^{-S} of those of a strand that rests; 1 of the others
 };
 
 // Returns the tension of each motor that the network has.
@@ -100,8 +102,8 @@ std::vector<double> motor_tensions(const Network& network, const TensionState& s
 
 // The exponent by which the tension falls across a contact that slides in this state: without the
 // guides of a tip's finger where both strands pass them alike (finger_guides.hpp).
-double sliding_exponent(const Network& network, const Mechanics& mechanics,
-                        const TendonSpan& tendon, std::size_t contact, const TensionState& state);
+double sliding_exponent(const Network& network, const Mechanics& mechanics, std::size_t contact,
+                        const TensionState& state);
 
 // The state itself, of this grasp. Throws OutOfRange that names the grasp if it has no tensions.
 const TensionState& require_in_range(const TensionState& state, Grasp grasp);

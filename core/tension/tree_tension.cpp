@@ -18,7 +18,8 @@ using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, block_ke
 
 }  // namespace
 
-void TreeTension::find_loops(const Network& network, const Motion& motion, std::size_t tree) {
+void TreeTension::find_loops(const Network& network, const Mechanics& mechanics,
+                             const Motion& motion, std::size_t tree) {
   loops_.clear();
   openings_.clear();
   for (std::size_t t = 0; t < network.tendons.size(); ++t) {
@@ -26,7 +27,10 @@ void TreeTension::find_loops(const Network& network, const Motion& motion, std::
     if (tendon.tree != tree || !tendon.closed || motion.is_slack(t)) continue;
     const std::size_t first = openings_.size();
     for (std::size_t k = 0; k < tendon.contacts; ++k) {
-      if (motion.slip[tendon.first_contact + k] == 0) openings_.push_back(k);
+      const std::size_t contact = tendon.first_contact + k;
+      if (slide_at(network, mechanics, motion, tendon, contact) == Slide::no) {
+        openings_.push_back(k);
+      }
     }
     loops_.push_back({t, first, openings_.size(), first});
   }
@@ -72,7 +76,7 @@ void TreeTension::add_chain(const Network& network, const Mechanics& mechanics,
       const std::size_t k = tendon.first_contact + i;
       const Contact& contact = network.contacts[k];
       cell.decay = mechanics.decay[k];
-      const Slide slide = slide_of(motion.slip[k]);
+      const Slide slide = slide_at(network, mechanics, motion, tendon, k);
       if (contact.kind == ContactKind::bar) {
         const ArmRatio& arms = network.blocks[contact.block].arms;
         cell.is_bar = true;
@@ -289,7 +293,7 @@ bool TreeTension::loops_fit(const Network& network, const Mechanics& mechanics,
 
 bool TreeTension::solve(const Network& network, const Mechanics& mechanics, const Motion& motion,
                         std::size_t tree, std::vector<double>& tension) {
-  find_loops(network, motion, tree);
+  find_loops(network, mechanics, motion, tree);
   do {
     build(network, mechanics, motion, tree);
     if (!settle()) continue;

@@ -100,7 +100,8 @@ class TreeTension {
     bool of_chain;
   };
 
-  void find_loops(const Network& network, const Motion& motion, std::size_t tree);
+  void find_loops(const Network& network, const Mechanics& mechanics, const Motion& motion,
+                  std::size_t tree);
   bool next_openings();
   void build(const Network& network, const Mechanics& mechanics, const Motion& motion,
              std::size_t tree);

@@ -78,7 +78,7 @@ int fall(const Network& network, const MeasuredStretch& stretch, const Mechanics
   for (const std::size_t contact : stretch.contacts) {
     const auto [left, right] = ends_of(*stretch.tendon, contact - stretch.tendon->first_contact);
     const double drop = std::log(state.tension[left] / state.tension[right]);
-    const double most = sliding_exponent(network, mechanics, *stretch.tendon, contact, state);
+    const double most = sliding_exponent(network, mechanics, contact, state);
     if (!(std::abs(drop) >= used_up * most) || drop == 0) return 0;
     const int direction = drop > 0 ? 1 : -1;
     if (result != 0 && direction != result) return 0;

@@ -90,6 +90,41 @@ TEST(FingerGuides, ArePassedTwiceByATendonThatComesBack) {
   EXPECT_NEAR(pull.right_N / pull.left_N, loss, 1e-12);
 }
 
+// As the finger opens, the tendon goes the other way past all of them. The ratio at the palm of a
+// tendon with an end F is that of two such ends beside a pulley of the carriage, too.
+TEST(FingerGuides, ArePassedTwiceInReleaseAsWell) {
+  const Hardware hardware = hand_of({guided_finger(), guided_finger()});
+  const double gain = std::exp(hardware.bearing.exponent() + 2 * 0.18 * in_rad(90));
+  const auto ratio = [&](const std::string& word, int far, int near) {
+    const Network net = network_of(word);
+    const TensionState state = tensions(net, mechanics(net, hardware), {}, Direction::release);
+    const auto at = [&](int strand) {
+      return state.tension[*find_segment(net, *segment_named("T" + std::to_string(strand)))];
+    };
+    return at(far) / at(near);
+  };
+  EXPECT_NEAR(ratio("M-1b-F", 2, 1), gain, 1e-12);
+  EXPECT_NEAR(ratio("F-1b-P-2b-F", 1, 2), gain, 1e-12);
+  EXPECT_NEAR(ratio("M-Y1+F-1b-Y1-2b-F", 1, 2), gain, 1e-12);
+}
+
+// Without friction at the guides nothing decides what goes round the loop otherwise.
+TEST(FingerGuides, LetALoopThatPassesABlockGoRound) {
+  const auto tensions_at = [](double mu) {
+    Hardware hardware = hand_of({guided_finger(), guided_finger()});
+    for (FingerJoint& joint : hardware.fingers[0].parts.joints) joint.mu = mu;
+    for (FingerJoint& joint : hardware.fingers[1].parts.joints) joint.mu = mu;
+    const Network net = network_of("M-Y1+1b-Y1-2b-P-1b");
+    const TensionState state = tensions(net, mechanics(net, hardware), {});
+    EXPECT_TRUE(state.in_range) << mu;
+    return state.tension;
+  };
+  const std::vector<double> without = tensions_at(0);
+  const std::vector<double> with_little = tensions_at(1e-6);
+  for (std::size_t i = 0; i < without.size(); ++i) EXPECT_NEAR(with_little[i], without[i], 1e-4);
+  for (const double mu : {0.01, 0.03, 0.1, 0.2}) tensions_at(mu);
+}
+
 TEST(FingerGuides, LoadBothStrandsFromThePalmWhereBothArePulled) {
   const FingerPull pull = pulls_in("M-1-M", hand_of({guided_finger()}), {})[1];
   EXPECT_NEAR(pull.sum_N(), std::exp(-0.18 * 2 * 3.14159265358979), 1e-9);
