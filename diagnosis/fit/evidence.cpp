@@ -130,7 +130,7 @@ MountedScatter scatter_at(const ScatterShape& shape, const ScatterLevel& level, 
       scatter[k] /= scale;
       continue;
     }
-    scatter[k] *= level.mounting;
+    scatter[k] *= level.mounting * (k == shape.widest ? level.widest : 1);
     scatter[k] = std::min(scatter[k], most_believed_scatter[k]);
   }
   return scatter;
@@ -145,6 +145,18 @@ double log_prior(const MountingScatter& mounting, const MountedScatter& scatter)
     sum += std::log(ratio) + 1 - ratio;
   }
   return sum;
+}
+
+std::optional<std::size_t> widest_kind(const MountingScatter& mounting) {
+  std::optional<std::size_t> widest;
+  double most = 0;
+  for (std::size_t k = 0; k < mounted_kinds; ++k) {
+    const double ratio = mounting.relative[k] / assumed_scatter[k];
+    if (!mounting.present[k] || !is_fitted(mounting, k) || ratio <= most) continue;
+    most = ratio;
+    widest = k;
+  }
+  return widest;
 }
 
 // The rows of set readings have one reading each.
@@ -199,6 +211,7 @@ ScatterShape scatter_shape(const Dataset& dataset, const Model& reference,
   const bool has_mountings =
       shape.knows_mountings && !given && shape.scatter.mounting.mounted_again > 0;
   const bool tells = tells_of_motor(dataset);
+  if (has_mountings) shape.widest = widest_kind(shape.scatter.mounting);
   if (has_mountings && tells) {
     for (const double motor : motor_levels) {
       if (motor > 0) shape.levels.push_back({beside_motor, motor});
@@ -283,6 +296,16 @@ Likelihood likelihood(const Dataset& dataset, const ScatterShape& shape, const F
 }
 
 Likelihood likelihood(const Dataset& dataset, const ScatterShape& shape, const Forecast& at) {
+  const auto at_widest = [&](Likelihood best) {
+    if (!shape.widest) return best;
+    for (const double widest : {0.3, 0.1}) {
+      ScatterLevel level = best.level;
+      level.widest = widest;
+      Likelihood here = likelihood(dataset, shape, at, level);
+      if (here.value > best.value) best = std::move(here);
+    }
+    return best;
+  };
   Likelihood best;
   best.value = -std::numeric_limits<double>::infinity();
   const auto see = [&](const ScatterLevel& level) {
@@ -299,7 +322,7 @@ Likelihood likelihood(const Dataset& dataset, const ScatterShape& shape, const F
     if (level.motor_scatters() && level.mounting == mounting) see(level);
   }
   constexpr double clearly = 10;
-  if (!(best.value > without_motor + clearly)) return best;
+  if (!(best.value > without_motor + clearly)) return at_widest(std::move(best));
   const ScatterLevel with_motor = best.level;
   for (const ScatterLevel& level : shape.levels) {
     if (level.mounting != mounting && level.motor == with_motor.motor &&
@@ -307,7 +330,7 @@ Likelihood likelihood(const Dataset& dataset, const ScatterShape& shape, const F
       see(level);
     }
   }
-  return best;
+  return at_widest(std::move(best));
 }
 
 double robust_misfit(const VectorXd& residuals) {

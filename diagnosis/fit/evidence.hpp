@@ -8,8 +8,9 @@
 // freedom, and s0^2 = sum r^2 / nu is the likeliest. The shape of the bracket is taken from what a
 // reference model leaves within mountings. Readings that a model explains less well may look like
 // mountings that differ, or like motor tensions that scatter. So each model that is compared is
-// given the likeliest of a few levels g. The prior of the mountings' scatter tau = g_m tau_0 is the
-// gamma density tau e^{-tau/s} about the assumed scatter s (mounting_scatter.hpp).
+// given the likeliest of a few levels g, also of the kind of mountings that scatters most. The
+// prior of the mountings' scatter tau = g_m tau_0 is the gamma density tau e^{-tau/s} about the
+// assumed scatter s (mounting_scatter.hpp).
 //
 // A reading farther than 3.5 s0 from its forecast scatters by as much more as it is farther: it
 // weighs like one at 3.5 s0, and costs the logarithm of the factor. Readings that are wrong by
@@ -34,6 +35,7 @@ struct ScatterLevel {
   double mounting = 1;   // g_m
   double motor = 0;      // g_M, times the relative noise of readings
   bool rounded = false;  // motor tensions scatter by what they were rounded to
+  double widest = 1;     // times g_m, of the kind of mountings that scatters most
 
   bool motor_scatters() const { return motor > 0 || rounded; }
 };
@@ -52,6 +54,9 @@ struct ScatterShape {
   double least_scale = 0;            // s0 is no less: repeats, or somebody, told the noise
   double most_scale = 0;             // 0: no most
   std::vector<ScatterLevel> levels;  // the least scatter of mountings last
+  // Of mountings, that which is most of what is assumed of it: what changes from run to run and no
+  // model explains widens it, and it alone. Nothing if no scatter of mountings is fitted.
+  std::optional<std::size_t> widest;
 };
 
 // `given` is the scatter of mountings, if it is known.
