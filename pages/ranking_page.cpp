@@ -101,17 +101,21 @@ HtmlTable bands_table(const RankReport& report) {
       band_table(report.designs, objectives), true};
 }
 
-std::string uncertainty_html(const UncertaintyOptions& options) {
+std::string uncertainty_html(const UncertaintyOptions& options,
+                             const std::vector<ListedDesign>& designs) {
   const UncertaintyRanges& ranges = options.ranges;
   const ContactScatter& scatter = options.nominal.hardware.scatter;
   const auto percent = [](double half_width) {
     return fmt::format("± {:.3g} %", 100 * half_width);
   };
   Table table{{text_column("quantity"), text_column("range")}, {}};
-  table.add({"friction coefficient of the tubes",
-             fmt::format("{:g} to {:g}", ranges.tube_mu.low, ranges.tube_mu.high)});
-  table.add({"friction coefficient of the sheaths",
-             fmt::format("{:g} to {:g}", ranges.sheath_mu.low, ranges.sheath_mu.high)});
+  const auto add_mu = [&](ContactKind kind, const char* parts, const MuRange& range) {
+    if (!is_drawn(kind, options.nominal.hardware, designs)) return;
+    table.add({std::string("friction coefficient of the ") + parts,
+               fmt::format("{:g} to {:g}", range.low, range.high)});
+  };
+  add_mu(ContactKind::tube, "tubes", ranges.tube_mu);
+  add_mu(ContactKind::sheath, "sheaths", ranges.sheath_mu);
   table.add({"friction coefficient of the bearings", percent(ranges.bearing_mu_relative)});
   table.add({"wrap angle of the sheaths", percent(ranges.sheath_angle_relative)});
   const auto deviation = [](double relative) { return fmt::format("σ {:.3g} %", 100 * relative); };
@@ -150,7 +154,8 @@ class RankingPageBuilder {
     values["sweep"] = sweep();
     values["margins"] =
         report_.margins && !report_.margins->empty() ? html(margin_table(report_, labels_)) : "";
-    const std::string more = report_.uncertainty ? uncertainty_html(*report_.uncertainty) : "";
+    const std::string more =
+        report_.uncertainty ? uncertainty_html(*report_.uncertainty, report_.designs) : "";
     values["settings"] =
         settings_html(report_.model, report_.unconverged, report_.grasps, command_, more);
     page_.html =

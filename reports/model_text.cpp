@@ -163,6 +163,18 @@ std::vector<std::string> range_notes(const Hardware& nominal, const UncertaintyR
   return notes;
 }
 
+std::vector<std::string> undrawn_notes(const Hardware& nominal, const LookAtNetworks& look) {
+  std::vector<ContactKind> drawn;
+  if (!nominal.tube.known) drawn.push_back(ContactKind::tube);
+  if (!nominal.sheath.known) drawn.push_back(ContactKind::sheath);
+  if (!nominal.bearing.known) append(drawn, std::vector{ContactKind::bearing, ContactKind::block});
+  ValueUse use(nominal, drawn, LawValue::mu);
+  look(use);
+  if (!use.has_owners()) return {};
+  return {
+      fmt::format("{} have friction coefficients of their own, which are not drawn", use.owners())};
+}
+
 Json model_json(const Model& model, std::uint64_t unconverged) {
   if (model.effects.empty()) return nullptr;
   Json json;

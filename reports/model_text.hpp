@@ -8,6 +8,7 @@
 #include "causes/model.hpp"
 #include "core/hardware.hpp"
 #include "core/uncertainty_ranges.hpp"
+#include "core/value_use.hpp"
 #include "reports/document/document.hpp"
 #include "reports/output/json.hpp"
 
@@ -29,6 +30,9 @@ std::vector<std::string> model_notes(const Model& model, int fingers);
 // (core/idle_values.hpp).
 std::vector<std::string> model_notes(const Model& model, const std::vector<Network>& networks);
 std::vector<DocumentLine> note_lines(const std::vector<std::string>& notes);
+
+// A sentence on the contacts whose own coefficients the draws leave alone; none without any.
+std::vector<std::string> undrawn_notes(const Hardware& nominal, const LookAtNetworks& look);
 
 // A sentence for each coefficient that its own range leaves out: ranges that nobody has given are
 // those of Teflon on steel, whatever the hardware's own coefficients are.

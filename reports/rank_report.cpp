@@ -125,6 +125,8 @@ Document rank_document(const RankReport& report, const ListColumns& wanted) {
   if (report.uncertainty || report.margins || report.motor) {
     const Hardware nominal = effective_hardware(report.model);
     append(lines, note_lines(range_notes(nominal, report.ranges)));
+    append(lines,
+           note_lines(undrawn_notes(report.model.hardware, looks_at_designs(report.designs))));
   }
   lines.push_back({order_text(report.order, report.score) +
                    "; uniformity and efficiency as mean/worst over the grasps (held fingers) " +

@@ -260,6 +260,8 @@ Document show_document(const ShownRouting& report) {
   if (report.hand && report.hand->drawn) {
     append(lines,
            note_lines(range_notes(effective_hardware(report.model), report.hand->drawn->ranges)));
+    append(lines, note_lines(undrawn_notes(report.model.hardware,
+                                           [&](ValueUse& use) { use.look_at(report.network); })));
   }
   Document document{
       {{"", std::nullopt, lines},

@@ -127,6 +127,12 @@ void add_bars(ListedTradeoff& tradeoff, const EvaluatedBy& by, const Catalogue& 
   tradeoff.with_bars->smallest_jams = evaluator.smallest_jams(routing);
 }
 
+LookAtNetworks looks_at_designs(const std::vector<ListedDesign>& designs) {
+  return [&designs](ValueUse& use) {
+    for (const ListedDesign& design : designs) use.look_at(expand(design.routing));
+  };
+}
+
 std::optional<SweptDesigns> swept_designs(const std::vector<ListedDesign>& designs,
                                           const SweepOptions& options,
                                           const StudySupervision& supervision) {
@@ -134,7 +140,11 @@ std::optional<SweptDesigns> swept_designs(const std::vector<ListedDesign>& desig
   for (const ListedDesign& design : designs) routings.push_back(design.routing);
   auto swept = sweep(routings, options, supervision.during("sweeping"));
   if (!swept) return std::nullopt;
-  return SweptDesigns{std::move(*swept), designs};
+  const Coefficient over = options.over.coefficient;
+  ValueUse use = value_use(options.uncertainty.nominal.hardware, over);
+  looks_at_designs(designs)(use);
+  return SweptDesigns{std::move(*swept), designs,
+                      use.has_owners() ? left_alone(row(over).name, use) : ""};
 }
 
 }  // namespace reeve::studies

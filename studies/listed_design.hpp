@@ -104,10 +104,13 @@ struct EvaluatedBy {
 // Adds what bars in place of its floating blocks make of the trade-off's choice.
 void add_bars(ListedTradeoff& tradeoff, const EvaluatedBy& by, const Catalogue& catalogue);
 
+LookAtNetworks looks_at_designs(const std::vector<ListedDesign>& designs);
+
 // Listed designs over one coefficient.
 struct SweptDesigns {
   Sweep sweep;
   std::vector<ListedDesign> designs;  // parallel to the sweep's
+  std::string note = {};              // on contacts that the sweep leaves alone
 };
 
 // Nothing if stopped.

@@ -78,7 +78,8 @@ ExploreInputs read(const ExploreFlags& flags) {
     inputs.uncertainty = inputs.drawn;
   }
   inputs.over = flags.sweep.read();
-  require_sweep(inputs.over, inputs.drawn, flags.ranking.uncertainty);
+  require_sweep(inputs.over, inputs.drawn, flags.ranking.uncertainty,
+                [&](ValueUse& use) { look_at(inputs.options.generator, use); });
   flags.tables.require_room(flags.format, [&] { return shortest_document(inputs, with); });
   return inputs;
 }

@@ -108,6 +108,7 @@ RankInputs read(const RankFlags& flags) {
   require_hardware_to_fit(inputs.file.model.hardware, inputs.routings);
   require_values_to_act(inputs.file.model.hardware, inputs.routings);
   require_known_fingers(inputs.file.model.hardware, finger_count(inputs.routings.front()));
+  flags.model.friction().require_to_act(inputs.file.model.hardware, looks_at(inputs.routings));
   inputs.cases = read_friction_cases(flags.distributions.value_or(usual_cases(inputs.file.model)),
                                      inputs.file.model);
   if (flags.data.is_given()) {
@@ -155,7 +156,8 @@ RankRequest request(const RankFlags& flags, const RankInputs& inputs) {
   request.tradeoff = flags.tradeoff.read();
   flags.tradeoff.require_prices(request.order, request.score, {});
   request.sweep = flags.sweep.read();
-  require_sweep(request.sweep, uncertainty_of(request), request.draws.has_value());
+  require_sweep(request.sweep, uncertainty_of(request), request.draws.has_value(),
+                looks_at(request.routings));
   return request;
 }
 

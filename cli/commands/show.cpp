@@ -78,6 +78,8 @@ ShownRouting report(const ShowFlags& flags) {
   if (own) flags.model.friction().apply(model.hardware);
   require_hardware_to_fit(model.hardware, {routing});
   require_known_fingers(model.hardware, finger_count(routing));
+  const std::vector<Routing> routings{routing};
+  flags.model.friction().require_to_act(model.hardware, looks_at(routings));
   const Direction direction = flags.direction == "pull" ? Direction::pull : Direction::release;
   const GraspSet asked = grasps(flags, routing);
   ShownRouting shown =

@@ -223,7 +223,10 @@ SizingOptions read_options(const SizeFlags& flags, const ModelFile& file,
 std::vector<std::string> notes(const SizeFlags& flags, const SizingOptions& options,
                                const std::vector<Routing>& routings) {
   std::vector<std::string> notes;
-  if (options.robust) notes = range_notes(effective_hardware(options.nominal), options.ranges);
+  if (options.robust) {
+    notes = range_notes(effective_hardware(options.nominal), options.ranges);
+    append(notes, undrawn_notes(options.nominal.hardware, looks_at(routings)));
+  }
   std::vector<Network> networks;
   for (const Routing& routing : routings) networks.push_back(expand(routing));
   append(notes, model_notes(options.nominal, networks));
@@ -307,9 +310,10 @@ SizeInputs read(const SizeFlags& flags) {
   inputs.catalogue = shipped_catalogue();
   inputs.routings = read_routings(flags, inputs.catalogue);
   require_comparable(inputs.routings);
-  const ModelFile file = flags.model.read(inputs.catalogue);
-  const Hardware& hardware = file.model.hardware;
+  ModelFile file = flags.model.read(inputs.catalogue);
+  Hardware& hardware = file.model.hardware;
   require_hardware_to_fit(hardware, inputs.routings);
+  flags.model.friction().require_to_act(hardware, looks_at(inputs.routings));
   inputs.options = read_options(flags, file, inputs.routings);
   inputs.vary = file.vary;
   require_ranges_to_match(inputs.routings, hardware, inputs.options.varied, inputs.options.equal);

@@ -113,6 +113,8 @@ ExploreOptions ExploreFlags::read(const Model& with, const Catalogue& catalogue)
   options.shard = for_name("--", [&] { return parse_shard(shard.text); });
   options.keeps_record = shard.is_given();
   options.model = with;
+  model.friction().require_to_act(options.model.hardware,
+                                  [&](ValueUse& use) { look_at(options.generator, use); });
   options.grasps = ranking.read_grasps(options.generator.fingers, options.generator.parts.motors);
   options.order = ranking.read_order();
   options.score = ranking.read_score();

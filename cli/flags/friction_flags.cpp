@@ -76,6 +76,27 @@ void FrictionFlags::apply(Hardware& hardware) const {
   for_option(given(), [&] { validate(hardware); });
 }
 
+void FrictionFlags::require_to_act(Hardware& hardware, const LookAtNetworks& look) const {
+  const auto require = [&](bool is_given, const char* option, std::vector<ContactKind> kinds,
+                           LawValue value) {
+    if (!is_given || kinds.empty()) return;
+    ValueUse use(hardware, std::move(kinds), value);
+    look(use);
+    require_taken(option, use);
+    if (!use.has_owners()) return;
+    HardwareOrigin origin = *hardware.origin;
+    origin.file += fmt::format(" ({})", left_alone(option, use));
+    hardware.origin = std::make_shared<const HardwareOrigin>(std::move(origin));
+  };
+  std::vector<ContactKind> of_mu;
+  if (!tube_mu_) of_mu.push_back(ContactKind::tube);
+  if (!sheath_mu_) of_mu.push_back(ContactKind::sheath);
+  require(mu_.has_value(), "--mu", of_mu, LawValue::mu);
+  require(tube_mu_.has_value(), "--tube-mu", {ContactKind::tube}, LawValue::mu);
+  require(sheath_mu_.has_value(), "--sheath-mu", {ContactKind::sheath}, LawValue::mu);
+  require(sheath_bend_.has_value(), "--sheath-bend", {ContactKind::sheath}, LawValue::angle);
+}
+
 std::string FrictionFlags::given() const {
   std::vector<std::string> texts;
   for (const CLI::Option* option : options_) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/hardware.hpp"
+#include "core/value_use.hpp"
 
 namespace reeve::cli {
 
@@ -23,6 +24,9 @@ class FrictionFlags {
   // Keeps the coefficients that the hardware has for one finger or contact. Throws InputError that
   // names the options.
   void apply(Hardware& hardware) const;
+  // Throws InputError on an option whose value no contact takes. If some have values of their own,
+  // says so in the name of the hardware's origin.
+  void require_to_act(Hardware& hardware, const LookAtNetworks& look) const;
 
  private:
   std::string given() const;

@@ -1,5 +1,7 @@
 #include "cli/flags/tradeoff_flags.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "catalog/price_file.hpp"
@@ -75,8 +77,12 @@ std::optional<CoefficientRange> SweepFlags::read() const {
 }
 
 void require_sweep(const std::optional<CoefficientRange>& over, const UncertaintyOptions& evaluated,
-                   bool draws) {
-  if (over) for_name("--", [&] { validate(SweepOptions{evaluated, draws, *over}); });
+                   bool draws, const LookAtNetworks& look) {
+  if (!over) return;
+  for_name("--", [&] { validate(SweepOptions{evaluated, draws, *over}); });
+  ValueUse use = value_use(evaluated.nominal.hardware, over->coefficient);
+  look(use);
+  require_taken(fmt::format("--sweep {}", row(over->coefficient).name), use);
 }
 
 }  // namespace reeve::cli

@@ -45,8 +45,9 @@ struct SweepFlags : TextOption {
   std::optional<CoefficientRange> read() const;
 };
 
-// Throws InputError where what is swept cannot be so. Does nothing without a range.
+// Throws InputError where what is swept cannot be so, or acts on no contact. Does nothing without a
+// range.
 void require_sweep(const std::optional<CoefficientRange>& over, const UncertaintyOptions& evaluated,
-                   bool draws);
+                   bool draws, const LookAtNetworks& look);
 
 }  // namespace reeve::cli

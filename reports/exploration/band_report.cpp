@@ -154,27 +154,45 @@ std::string mu_text(const Interval& mu) {
                            : fmt::format("{:.4g} to {:.4g}", mu.low, mu.high);
 }
 
+bool is_drawn(ContactKind kind, const Hardware& hardware,
+              const std::vector<ListedDesign>& designs) {
+  ValueUse use(hardware, {kind}, LawValue::mu);
+  looks_at_designs(designs)(use);
+  return !use.is_idle();
+}
+
 // "tubes mu 0.05 to 0.2, sheaths mu 0.05 to 0.2, bearings mu ± 50 %, bends ± 20 %, each contact
 // ± 4 % (bearings 10 %)"
-std::string drawn_text(const UncertaintyOptions& options) {
+std::string drawn_text(const UncertaintyOptions& options,
+                       const std::vector<ListedDesign>& designs) {
+  const auto draws = [&](ContactKind kind) {
+    return is_drawn(kind, options.nominal.hardware, designs);
+  };
+  const bool tubes = draws(ContactKind::tube);
+  const bool sheaths = draws(ContactKind::sheath);
   const UncertaintyRanges& ranges = options.ranges;
   const CoefficientBox box = coefficient_box(options.nominal.hardware, ranges);
   const ContactScatter& scatter = options.nominal.hardware.scatter;
   const std::string bearings = options.nominal.hardware.bearing.known
                                    ? fmt::format("{:.4g}", options.nominal.hardware.bearing.mu)
                                    : fmt::format("± {:.4g} %", 100 * ranges.bearing_mu_relative);
-  return fmt::format(
-      "tubes mu {}, sheaths mu {}, bearings mu {}, bends ± {:.4g} %, each contact ± {:.4g} % "
-      "(bearings {:.4g} %)",
-      mu_text(box[0]), mu_text(box[1]), bearings, 100 * ranges.sheath_angle_relative,
-      100 * scatter.relative, 100 * scatter.bearing_relative);
+  std::string text;
+  if (tubes) text += fmt::format("tubes mu {}, ", mu_text(box[0]));
+  if (sheaths) text += fmt::format("sheaths mu {}, ", mu_text(box[1]));
+  text += fmt::format("bearings mu {}, bends ± {:.4g} %, ", bearings,
+                      100 * ranges.sheath_angle_relative);
+  const double of_bearings = 100 * scatter.bearing_relative;
+  if (!tubes && !sheaths) return text + fmt::format("each bearing ± {:.4g} %", of_bearings);
+  return text + fmt::format("each contact ± {:.4g} % (bearings {:.4g} %)", 100 * scatter.relative,
+                            of_bearings);
 }
 
 Section band_section(const std::vector<ListedDesign>& shown, const Order& order,
                      const UncertaintyOptions& options) {
   if (shown.empty() || !shown.front().distribution) return {};
-  return {fmt::format("Median (5–95 %) over {} draws: {}", options.draws, drawn_text(options)),
-          band_table(shown, swept_objectives(order)), met_lines(shown)};
+  return {
+      fmt::format("Median (5–95 %) over {} draws: {}", options.draws, drawn_text(options, shown)),
+      band_table(shown, swept_objectives(order)), met_lines(shown)};
 }
 
 std::vector<DocumentLine> shared_first_lines(const std::vector<ListedDesign>& designs) {

@@ -30,6 +30,9 @@ Table band_table(const std::vector<ListedDesign>& designs,
 Section band_section(const std::vector<ListedDesign>& shown, const Order& order,
                      const UncertaintyOptions& options);
 
+// True unless all contacts of the kind have friction coefficients of their own in these designs.
+bool is_drawn(ContactKind kind, const Hardware& hardware, const std::vector<ListedDesign>& designs);
+
 // Lists the designs that share the first place, if that says more than that bearings change
 // nothing. Without draws it lists them only if other designs do.
 std::vector<DocumentLine> shared_first_lines(const std::vector<ListedDesign>& designs);

@@ -268,6 +268,10 @@ std::vector<std::string> notes(const ExploreReport& report) {
   } else if (report.motor) {
     append(notes, range_notes(hardware, report.motor->ranges));
   }
+  if (report.uncertainty || report.motor) {
+    const auto listed = looks_at_designs(listed_designs(report));
+    append(notes, undrawn_notes(options.model.hardware, listed));
+  }
   if (options.generator.identity == FingerIdentity::distinct) return notes;
   if (!treats_motors_alike(options.grasps)) {
     notes.insert(notes.begin(),

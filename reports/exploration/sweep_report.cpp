@@ -8,6 +8,7 @@
 #include "drawing/chart/chart_axis.hpp"
 #include "reports/exploration/band_report.hpp"
 #include "reports/exploration/decision_words.hpp"
+#include "reports/model_text.hpp"
 #include "reports/output/csv_field.hpp"
 #include "reports/shown_value.hpp"
 
@@ -151,6 +152,7 @@ std::vector<Section> sweep_sections(const SweptDesigns& swept) {
                 std::nullopt,
                 {}};
   for (const std::string& sentence : lead_sentences(swept)) leads.lines.push_back({sentence});
+  if (!swept.note.empty()) append(leads.lines, note_lines({swept.note}));
   std::vector<Section> sections{leads};
   for (std::size_t o = 0; o < swept.sweep.designs.front().size(); ++o) {
     sections.push_back(objective_section(swept, o));

@@ -51,6 +51,20 @@ std::vector<std::string> impossible_values(const Hardware& hardware,
   return keys;
 }
 
+void look_at(const GeneratorOptions& options, ValueUse& use) {
+  constexpr std::uint64_t at_least = 1000;
+  RoutingGenerator generator(options);
+  Routing routing;
+  Network network;
+  for (std::uint64_t i = 0; i < (use.is_taken() ? at_least : looked_at); ++i) {
+    if (!generator.next(routing)) return;
+    if (!is_actuated(routing)) continue;
+    expand(routing, network);
+    use.look_at(network);
+  }
+  use.suppose_taken();
+}
+
 RoutingGenerator::RoutingGenerator(const GeneratorOptions& options, PartClasses classes)
     : fingers_(options.fingers),
       bars_(options.parts.bars),

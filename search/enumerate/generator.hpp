@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "core/hardware.hpp"
+#include "core/value_use.hpp"
 #include "search/enumerate/generator_options.hpp"
 #include "search/enumerate/numbering.hpp"
 #include "search/enumerate/tendon_generator.hpp"
@@ -94,5 +95,8 @@ ShardRange shard_range(std::uint64_t total, std::uint64_t i, std::uint64_t n);
 // counts as possible, unless it is of a contact whose segments cannot touch in any routing.
 std::vector<std::string> impossible_values(const Hardware& hardware,
                                            const GeneratorOptions& options);
+
+// Shows the first routings to `use`, and more of them as long as no contact takes its value.
+void look_at(const GeneratorOptions& options, ValueUse& use);
 
 }  // namespace reeve::search

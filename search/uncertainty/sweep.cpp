@@ -54,6 +54,11 @@ bool would_replace(const Effect& effect, Coefficient coefficient) {
          (name == "bearing_friction" && coefficient == Coefficient::bearing_mu);
 }
 
+// The block follows the bearing if the file gives only its wrap angle.
+bool is_like_bearing(const Hardware& hardware) {
+  return !hardware.block || hardware.block->mu == hardware.bearing.mu;
+}
+
 // The designs as one value of the coefficient ranks them.
 struct SweptRanking {
   std::vector<ObjectiveValues> values;
@@ -223,14 +228,25 @@ Model at_coefficient(Model model, Coefficient coefficient, double value) {
   if (sets_tubes(coefficient)) hardware.tube.mu = value;
   if (sets_sheaths(coefficient)) hardware.sheath.mu = value;
   if (coefficient == Coefficient::bearing_mu) {
-    // The block follows the bearing if the file gives only its wrap angle.
-    if (hardware.block && hardware.block->mu == hardware.bearing.mu) hardware.block->mu = value;
+    if (hardware.block && is_like_bearing(hardware)) hardware.block->mu = value;
     hardware.bearing.mu = value;
   }
   if (coefficient == Coefficient::sheath_angle) hardware.sheath.angle_rad = value;
   std::erase_if(model.effects,
                 [&](const Effect& effect) { return would_replace(effect, coefficient); });
   return model;
+}
+
+ValueUse value_use(const Hardware& hardware, Coefficient coefficient) {
+  std::vector<ContactKind> kinds;
+  if (sets_tubes(coefficient)) kinds.push_back(ContactKind::tube);
+  if (coefficient == Coefficient::bearing_mu) {
+    kinds.push_back(ContactKind::bearing);
+    if (is_like_bearing(hardware)) kinds.push_back(ContactKind::block);
+  }
+  const bool is_angle = coefficient == Coefficient::sheath_angle;
+  if (sets_sheaths(coefficient) || is_angle) kinds.push_back(ContactKind::sheath);
+  return {hardware, std::move(kinds), is_angle ? LawValue::angle : LawValue::mu};
 }
 
 std::vector<Objective> swept_objectives(const Order& order) {

@@ -16,6 +16,7 @@
 
 #include "causes/model.hpp"
 #include "core/routing.hpp"
+#include "core/value_use.hpp"
 #include "numerics/minimise.hpp"
 #include "search/explore.hpp"
 #include "search/uncertainty/bands.hpp"
@@ -49,6 +50,9 @@ CoefficientRange parse_sweep(const std::string& text);
 // The model with that value of it. In place of effects that would replace it (tube_friction,
 // sheath_friction, bearing_friction); what the hardware says of one finger or contact stays.
 Model at_coefficient(Model model, Coefficient coefficient, double value);
+
+// The contacts that this changes, before any network is looked at.
+ValueUse value_use(const Hardware& hardware, Coefficient coefficient);
 
 struct SweepOptions {
   UncertaintyOptions uncertainty;  // nominal model, order and draws

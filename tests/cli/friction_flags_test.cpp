@@ -142,6 +142,60 @@ TEST(BadFriction, IsNamedWithItsOption) {
   });
 }
 
+// Values of one finger stand in place of an option's: --sheath-mu then changes no number.
+class OwnFriction : public ::testing::Test {
+ protected:
+  OwnFriction() {
+    const std::string joints =
+        "[hand]\nforce_N = 4\njoints = [{ arm_mm = 12, range_deg = 90, lever_mm = 90 }]\n";
+    const std::string first = "[finger.1]\nsheath_mu = 0.1\ntip_mu = 0.1\n";
+    folder_.write("part.toml", joints + first);
+    folder_.write("all.toml", joints + first + "[finger.2]\nsheath_mu = 0.1\ntip_mu = 0.1\n");
+  }
+
+  testing::ProcessResult run(const std::string& line) const {
+    return testing::reeve(line.c_str(), {.directory = folder_.path()});
+  }
+
+ private:
+  testing::TemporaryFolder folder_;
+};
+
+TEST_F(OwnFriction, RefusesAnOptionThatChangesNothing) {
+  const std::string why =
+      ": it changes nothing, since sheaths of fingers 1, 2 have values of their own; expected a "
+      "hardware file without them\n";
+  for (const std::string command : {"show TR5", "rank TR5 TR7", "size TR5 --vary tip_angle=1..4"}) {
+    const auto result = run(command + " --hardware all.toml --sheath-mu 0.3");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.err, "reeve: --sheath-mu" + why);
+  }
+  EXPECT_EQ(run("rank TR5 TR7 --hardware all.toml --sweep sheath_mu=0.05..0.3").err,
+            "reeve: --sweep sheath_mu" + why);
+  EXPECT_EQ(run("show M-1b-M --tube-mu 0.2").err,
+            "reeve: --tube-mu: it changes nothing, since there are no tubes; expected a routing "
+            "with them\n");
+}
+
+TEST_F(OwnFriction, IsNamedWhereAnOptionLeavesIt) {
+  const std::string left = " leaves sheaths of finger 1 alone, which have values of their own";
+  EXPECT_TRUE(has(run("show TR5 --hardware part.toml --sheath-mu 0.3").out,
+                  "Assumed, by part.toml with --sheath-mu 0.3 (--sheath-mu" + left + "): "));
+  EXPECT_TRUE(has(run("rank TR5 TR7 --hardware part.toml --sweep sheath_mu=0.05..0.3").out,
+                  "\nNote: sheath_mu" + left + "\n"));
+}
+
+TEST_F(OwnFriction, IsNotListedAsDrawn) {
+  const std::string whose = " have friction coefficients of their own, which are not drawn\n";
+  const std::string all = run("rank TR5 TR7 --hardware all.toml --uncertainty").out;
+  EXPECT_TRUE(has(all, "Note: tips of fingers 1, 2 and sheaths of fingers 1, 2" + whose)) << all;
+  EXPECT_TRUE(has(all, "draws: bearings mu ± 50 %, bends ± 20 %, each bearing ± 10 %\n")) << all;
+  const std::string part = run("rank TR5 TR7 --hardware part.toml --uncertainty").out;
+  EXPECT_TRUE(has(part, "Note: tips of finger 1 and sheaths of finger 1" + whose)) << part;
+  EXPECT_TRUE(has(part, "draws: tubes mu 0.05 to 0.2, sheaths mu 0.05 to 0.2, bearings")) << part;
+  EXPECT_TRUE(has(run("show TR5 --hardware all.toml").out, "sheaths of fingers 1, 2" + whose));
+}
+
 TEST(UnknownOption, OfFrictionIsKnownByItsMeaning) {
   testing::expect_all_bad({
       {"explore --friction 0.1",
