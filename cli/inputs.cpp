@@ -248,6 +248,42 @@ void ModelOption::list_in(std::vector<InputFile>& inputs) const {
   model_.list_in(inputs, "the model");
 }
 
+namespace {
+
+// Lists the tendons of a network that may have what the hardware gives tendon `wrong`.
+std::vector<int> possible_tendons(Hardware hardware, const Network& network, TendonHardware wrong) {
+  std::vector<int> possible;
+  for (wrong.tendon = 1; std::cmp_less_equal(wrong.tendon, network.tendons.size());
+       ++wrong.tendon) {
+    hardware.tendon.own = {wrong};
+    if (MechanicsBuilder(hardware).unmatched_tendons(network).empty()) {
+      possible.push_back(wrong.tendon);
+    }
+  }
+  return possible;
+}
+
+InputError no_such_tendon(const Hardware& hardware, const Network& network,
+                          const std::string& number, const std::string& word) {
+  const auto wrong = std::ranges::find_if(hardware.tendon.own, [&](const TendonHardware& own) {
+    return std::to_string(own.tendon) == number;
+  });
+  const std::string needs = fmt::format(
+      "{}{}{}", wrong->stiffness_N_mm ? "a spring needs a tendon with one end at an M" : "",
+      wrong->stiffness_N_mm && wrong->slack_mm ? ", and " : "",
+      wrong->slack_mm ? "slack one on a motor and on no block" : "");
+  const std::vector<int> possible = possible_tendons(hardware, network, *wrong);
+  return InputError(
+      {.where = hardware_place(hardware, "tendon." + number),
+       .what = "tendon",
+       .value = number,
+       .expected = possible.empty()
+                       ? fmt::format("none in {}: {}", word, needs)
+                       : fmt::format("{} of {}: {}", fmt::join(possible, " or "), word, needs)});
+}
+
+}  // namespace
+
 void require_hardware_to_fit(const Hardware& hardware, const std::vector<Routing>& routings) {
   const MechanicsBuilder builder(hardware);
   std::vector<std::string> spools = builder.unmatched_spools({});
@@ -271,14 +307,7 @@ void require_hardware_to_fit(const Hardware& hardware, const std::vector<Routing
     const Network network = expand(routing);
     const std::vector<std::string> unmatched = builder.unmatched_tendons(network);
     if (unmatched.empty()) continue;
-    throw InputError(
-        {.where = hardware_place(hardware, "tendon." + unmatched.front()),
-         .what = "tendon",
-         .value = unmatched.front(),
-         .expected = fmt::format("one of tendons 1 to {} of {}: with a spring one with "
-                                 "one end at an M, with slack one on a motor and on "
-                                 "no block",
-                                 network.tendons.size(), to_word(routing))});
+    throw no_such_tendon(hardware, network, unmatched.front(), to_word(routing));
   }
 }
 

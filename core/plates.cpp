@@ -45,6 +45,21 @@ Numbers second_bars(const Word& word, std::vector<PlacedWalk>& walks) {
   return second;
 }
 
+// A tendon from the arms of a plate to its third tie pulls the plate against itself.
+void require_own_tendon(const Word& word, const PlacedWalk& walk, const PlacedToken& tie,
+                        std::uint8_t second) {
+  const bool has_arms = std::any_of(walk.begin() + 1, walk.end() - 1, [&](const PlacedToken& in) {
+    return is_arms(in) && in.token.block == second;
+  });
+  if (!has_arms) return;
+  const int number = tie.token.block;
+  word.fail(tie.at,
+            {.what = fmt::format("{} lies on a tendon at the arms of bar W{}, which pulls "
+                                 "the plate against itself: the third tie needs a tendon "
+                                 "of its own, as in M-W{}+1x-W{}-2x+3x-W{}k",
+                                 quoted_text(tie.at.text), number, number, number, number)});
+}
+
 }  // namespace
 
 void replace_plates(const Word& word, std::vector<PlacedWalk>& walks) {
@@ -61,6 +76,7 @@ void replace_plates(const Word& word, std::vector<PlacedWalk>& walks) {
   for_each_third_tie(walks, [&](PlacedWalk& walk, std::size_t i) {
     const PlacedToken tie = walk[i];
     const std::uint8_t number = tie.token.block;
+    require_own_tendon(word, walk, tie, second[number]);
     if (!has_arms[number]) {
       word.fail(tie.at, {.what = fmt::format("{} is the third tie of a plate without the other "
                                              "two: they are the neighbours of W{} inside a walk, "

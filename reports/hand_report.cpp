@@ -357,11 +357,11 @@ std::vector<Section> hand_sections(const ShownHand& hand) {
   add_motion_lines(hand, lines);
   add_reach_lines(hand, lines);
   std::vector<Section> sections{
-      {"Hand: fingertip force per newton of motor tension, springs aside, and the motor tension\n"
-       "that meets all wanted forces",
+      {"Hand, pulling: fingertip force per newton of motor tension, springs aside, and the motor\n"
+       "tension that meets all wanted forces",
        force_table(hand),
        {}},
-      {"Hand: fingers, and the least force at their tips in any of these grasps",
+      {"Hand, pulling: fingers, and the least force at their tips in any of these grasps",
        finger_table(hand), lines}};
   if (hand.motors > 1) {
     sections.push_back(

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/hand.hpp"
 #include "core/notation.hpp"
 
 namespace reeve::sizing {
@@ -180,6 +181,12 @@ std::string dimension_list(const Network& network, const Hardware& hardware) {
   return fmt::format("{}{}", fmt::join(names, ", "), has_more ? ", …" : "");
 }
 
+// What a quantity needs that no routing has by itself; empty if that is not what is missing.
+const char* needs(SizedQuantity quantity, const Hardware& hardware) {
+  if (quantity != SizedQuantity::arm_mm || hand(hardware)) return "";
+  return "a hand with it: the joints of its fingers in the hardware file (docs/hand.md)";
+}
+
 // Each named dimension must be so in some routing; without names, one of the quantity.
 template <typename IsSo>
 bool is_somewhere(const DimensionName& name, const std::vector<Network>& networks, IsSo is_so) {
@@ -251,7 +258,8 @@ void require_ranges_to_match(const std::vector<Routing>& routings, const Hardwar
   };
   for (const VariedRange& range : ranges) {
     if (!is_somewhere(range.name, networks, is_there)) {
-      throw InputError({.what = range.text, .expected = there});
+      const std::string needed = needs(range.name.quantity, hardware);
+      throw InputError({.what = range.text, .expected = needed.empty() ? there : needed});
     }
   }
   for (const Network& network : networks) {

@@ -16,6 +16,9 @@ TEST(BadSizing, OfBoundsIsNamedWithWhatWasExpected) {
       {"size TR1 --vary tip_angle",
        "--vary 'tip_angle': expected a dimension and its bounds, such as "
        "sheath_angle[1]=3..9"},
+      {"size TR1 --vary arm_mm=4..14",
+       "--vary 'arm_mm=4..14': expected a hand with it: the joints of its fingers in the hardware "
+       "file (docs/hand.md)"},
       {"size TR1 --vary angle=1..2",
        "--vary 'angle=1..2': dimension 'angle': expected one of sheath_angle[1], "},
       {"size TR1 --vary tip_angle=3..3",

@@ -210,6 +210,10 @@ TEST(NotationError, APlateHasThreeTies) {
   expect_fault("M-W1+3x-W1k", 9,
                "'W1k' is the third tie of a plate without the other two: they are the neighbours "
                "of W1 inside a walk, as in 1x-W1-2x");
+  expect_fault(
+      "M-W1+1x-W1-W1k", 12,
+      "'W1k' lies on a tendon at the arms of bar W1, which pulls the plate against itself: "
+      "the third tie needs a tendon of its own, as in M-W1+1x-W1-2x+3x-W1k");
   expect_fault("1x-W1-2x+3x-W1k", 13,
                "bar W1 has arms but nothing at its pivot: W1 as the end of a walk, as in "
                "M-W1+1x-W1-2x");
