@@ -190,6 +190,31 @@ Eigen::VectorXd in_one_way(const Eigen::VectorXd& direction) {
   return result;
 }
 
+bool parallel(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  constexpr double least_cosine = 0.9;
+  return std::abs(a.dot(b)) > least_cosine * a.norm() * b.norm();
+}
+
+// Returns the directions that scale all of these variables of one quantity together. Where a goal
+// is the worst of several fingers it has an edge, and the curvature does not tell that it stays the
+// same along the edge.
+std::vector<Eigen::VectorXd> scalings(const SizingProblem& problem, const SizingPoint& point,
+                                      const std::vector<std::size_t>& variables) {
+  const SizeSpace& space = problem.space();
+  std::vector<Eigen::VectorXd> result;
+  for (const QuantityRow& about : quantity_table()) {
+    Eigen::VectorXd direction = Eigen::VectorXd::Zero(static_cast<Index>(variables.size()));
+    for (std::size_t k = 0; k < variables.size(); ++k) {
+      const std::size_t i = variables[k];
+      const std::size_t first = space.variables[i].dimensions.front();
+      if (space.dimensions[first].dimension.quantity != about.quantity) continue;
+      direction[static_cast<Index>(k)] = point[i] / width(problem.box()[i]);
+    }
+    if ((direction.array() != 0).count() > 1) result.push_back(direction);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<GoalProfile> goal_profiles(const SizingProblem& problem, const SizingPoint& point,
@@ -266,10 +291,17 @@ std::vector<FlatDirection> flat_directions(const SizingProblem& problem, const G
   }
   if (others.size() < 2) return flat;
   const Plain plain(problem, point, others);
+  std::vector<Eigen::VectorXd> candidates = scalings(problem, point, others);
   const SymmetricAxes axes = symmetric_axes(plain.curvature(goal.is_target()));
-  for (Index k = 0; k < plain.size(); ++k) {
-    const FlatDirection here = plain.along(flat_move * in_one_way(axes.vectors.col(k)));
-    if (here.loss <= most) flat.push_back(here);
+  for (Index k = 0; k < plain.size(); ++k) candidates.push_back(axes.vectors.col(k));
+  std::vector<Eigen::VectorXd> taken;
+  for (const Eigen::VectorXd& candidate : candidates) {
+    const auto is_again = [&](const Eigen::VectorXd& other) { return parallel(candidate, other); };
+    if (std::ranges::any_of(taken, is_again)) continue;
+    const FlatDirection here = plain.along(flat_move * in_one_way(candidate));
+    if (here.loss > most) continue;
+    flat.push_back(here);
+    taken.push_back(candidate);
   }
   return flat;
 }

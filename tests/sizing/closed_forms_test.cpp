@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tests/sizing/sizing_of.hpp"
+#include "tests/support/example_hand.hpp"
 
 namespace reeve::testing {
 namespace {
@@ -145,6 +146,21 @@ TEST(Sizing, LeavesWhatDoesNotMatterAsItIsAndSaysSo) {
   ASSERT_EQ(design.flat.size(), 1U);
   EXPECT_EQ(design.flat[0].moves, (std::vector<double>{10, 0}));
   EXPECT_EQ(design.flat[0].loss, 0);
+}
+
+// Of a bar's equal pulls the motor force is the greater of f l / a of the fingers, and the stroke
+// goes with the sum of the arms a: both arms times two leave their product.
+TEST(Sizing, SaysThatPowerStaysIfAllArmsGrowAlthoughItHasAnEdgeThere) {
+  SizingOptions options = sizing("motor_power", {"arm_mm=4..14"});
+  options.nominal.hardware = hand_of({simple_finger(9, 90, 60, 5), simple_finger(9, 90, 60, 4)});
+  options.grasps = parse_grasps("none", 2);
+  const SizedDesign design = sized("M-W1+1x-W1-2x", options);
+  const std::vector<double> arms = values_of(design);
+  ASSERT_EQ(arms.size(), 2U);
+  EXPECT_NEAR(arms[0] / arms[1], 5.0 / 4, 1e-4);
+  ASSERT_EQ(design.flat.size(), 1U);
+  EXPECT_NEAR(design.flat[0].moves[0] / design.flat[0].moves[1], 5.0 / 4, 1e-3);
+  EXPECT_NEAR(std::abs(design.flat[0].moves[0]), 1, 1e-9);
 }
 
 Hardware gripper(double sheath_angle) {
