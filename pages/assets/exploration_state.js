@@ -82,13 +82,36 @@ const explorationState = (() => {
     }));
   }
 
-  // The address holds what can be mailed: which designs, along which axes, in which ranges, of which
-  // parts, and which columns are put away.
+  // "sheaths:most:4,travel:least:1"
+  const boundsText = () =>
+    filter.bounds
+      .map(({ column, least, value }) => `${objectives[column].name}:${least ? "least" : "most"}:${value}`)
+      .join(",");
+
+  function readBounds(text) {
+    return (text ?? "").split(",").flatMap((part) => {
+      const [name, side, value] = part.split(":");
+      const column = objectives.findIndex((objective) => objective.name === name);
+      const isBound = column >= 0 && ["least", "most"].includes(side) && value && !Number.isNaN(Number(value));
+      return isBound ? [{ column, least: side === "least", value: Number(value) }] : [];
+    });
+  }
+
+  function readWhich(text) {
+    const { options } = document.getElementById("filter-which");
+    return [...options].some(({ value }) => value === text) ? text : unfiltered.which;
+  }
+
+  // The address holds what can be mailed: which designs, along which axes, by which filter and
+  // ranges, of which parts, and which columns are put away.
   function writeAddress() {
     const parts = new URLSearchParams();
     parts.set("select", selected.map((row) => designs.word[row]).join(","));
     parts.set("x", objectives[axes[0]].name);
     parts.set("y", objectives[axes[1]].name);
+    if (filter.text !== "") parts.set("text", filter.text);
+    if (filter.which !== unfiltered.which) parts.set("show", filter.which);
+    if (filter.bounds.length > 0) parts.set("bounds", boundsText());
     if (ranges.size > 0) parts.set("ranges", rangesText());
     const chosen = Object.entries(filter.parts).map((choice) => choice.join(":"));
     if (chosen.length > 0) parts.set("parts", chosen.join(","));
@@ -106,6 +129,9 @@ const explorationState = (() => {
       const column = objectives.findIndex((objective) => objective.name === parts.get(name));
       return column < 0 ? axes[which] : column;
     });
+    filter.text = parts.get("text") ?? "";
+    filter.which = readWhich(parts.get("show"));
+    filter.bounds = readBounds(parts.get("bounds"));
     ranges = readRanges(parts.get("ranges"));
     filter.parts = explorationParts.read(parts.get("parts"));
     hidden = new Set((parts.get("without") ?? "").split(",").filter(Boolean));

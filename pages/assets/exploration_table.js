@@ -214,12 +214,20 @@ const explorationTable = (() => {
     return column;
   }
 
+  function showBound(bound) {
+    const [column, side, value] = addBound().parentElement.querySelectorAll("select, input");
+    column.value = bound.column;
+    side.value = bound.least ? "least" : "most";
+    value.value = bound.value;
+  }
+
   // Shows the filter if it was changed elsewhere.
   function showFilter() {
     document.getElementById("filter-text").value = state.filter.text;
     document.getElementById("filter-which").value = state.filter.which;
-    if (state.filter.bounds.length > 0) return;
-    for (const value of document.querySelectorAll("#bounds input")) value.value = "";
+    document.getElementById("bounds").replaceChildren();
+    state.filter.bounds.forEach(showBound);
+    if (state.filter.bounds.length === 0) addBound();
   }
 
   function start() {
@@ -233,7 +241,7 @@ const explorationTable = (() => {
     document.getElementById("add-bound").addEventListener("click", () => addBound().focus());
     document.getElementById("previous-page").addEventListener("click", () => ((page -= 1), show()));
     document.getElementById("next-page").addEventListener("click", () => ((page += 1), show()));
-    addBound();
+    showFilter();
     table.addEventListener("pointerleave", () => state.point(null));
     table.addEventListener("focusout", () => state.point(null));
     explorationColumns.start();

@@ -135,6 +135,27 @@ describe("explore: the table", () => {
     await filterBy(page, {});
   });
 
+  test("the address remembers the filter, and another page shows it", async () => {
+    const bound = page.locator("#bounds .bound").first();
+    await bound.locator("select").first().selectOption({ index: await page.evaluate(
+      () => explorationState.objectives.findIndex(({ name }) => name === "sheaths")) });
+    await bound.locator("select").nth(1).selectOption("most");
+    await bound.locator("input").fill("3");
+    await filterBy(page, { text: "b-p" });
+    const left = lines(designs.filter(({ routing, sheaths }) =>
+      routing.toLowerCase().includes("b-p") && Number(sheaths) <= 3)).map(({ routing }) => routing);
+    assert.ok(left.length > 0 && left.length < screenful);
+    assert.deepEqual(await tableWords(page), left);
+    const { page: again } = await openExploration(browser, { address: new URL(page.url()).hash });
+    assert.deepEqual(await tableWords(again), left);
+    assert.equal(await again.locator("#filter-text").inputValue(), "b-p");
+    assert.equal(await again.locator("#filter-which").inputValue(), "listed");
+    assert.equal(await again.locator("#bounds .bound input").inputValue(), "3");
+    await again.context().close();
+    await bound.locator("input").fill("");
+    await filterBy(page, {});
+  });
+
   test("the front and the known routings can be had alone", async () => {
     await filterBy(page, { which: "front" });
     const front = lines(designs.filter(({ front: number }) => number === "1"));
