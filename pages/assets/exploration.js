@@ -223,6 +223,11 @@
   }
 
   await state.load();
+  if (state.designs().word.length === 0) {
+    reeve.fold();
+    document.documentElement.dataset.ready = "true";
+    return;
+  }
   for (const controls of document.querySelectorAll(".controls[hidden]")) controls.hidden = false;
   axisChoices();
   explorationTable.start();

@@ -191,6 +191,8 @@ PageFiles exploration_page(const ExplorationView& view) {
   const auto sampled = std::ranges::count_if(
       held.designs, [](const PageDesign& design) { return design.kind == DesignKind::sample; });
   body["has_sample"] = sampled > 0;
+  body["has_designs"] = !held.designs.empty();  // known routings, if none is ranked
+  body["is_ranked"] = !listed_designs(report).empty();
   body["title"] = title(report);
   body["held_text"] = held_text(report, held.listed) + sample_text(sampled);
   body["pareto"] = live_figure_html(pareto);

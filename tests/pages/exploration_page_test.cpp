@@ -220,6 +220,15 @@ TEST(ExplorationPage, IsMadeEvenIfNothingIsLeft) {
   const PageFiles page = exploration_page(testing::view(explored(options)));
   EXPECT_NE(page.html.find("No design is left to rank"), std::string::npos);
   EXPECT_EQ(page.html.find("id=\"bests\""), std::string::npos);
+  for (const char* empty : {"Why it comes first", "When another design comes first"}) {
+    EXPECT_EQ(page.html.find(empty), std::string::npos) << empty;
+  }
+  options.references.clear();
+  const std::string without_known = exploration_page(testing::view(explored(options))).html;
+  for (const char* place : {"<div class=\"workspace\" hidden>", "id=\"comparison\" hidden>"}) {
+    EXPECT_EQ(page.html.find(place), std::string::npos) << place;
+    EXPECT_NE(without_known.find(place), std::string::npos) << place;
+  }
 }
 
 TEST(ExplorationPage, StaysBelowFiveMegabytesWithAHundredThousandDesigns) {
