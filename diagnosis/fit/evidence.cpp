@@ -150,7 +150,8 @@ double log_prior(const MountingScatter& mounting, const MountedScatter& scatter)
 std::optional<std::size_t> widest_kind(const MountingScatter& mounting) {
   std::optional<std::size_t> widest;
   double most = 0;
-  for (std::size_t k = 0; k < mounted_kinds; ++k) {
+  for (const Mounted kind : {Mounted::sheath, Mounted::tube, Mounted::bearing}) {
+    const auto k = static_cast<std::size_t>(kind);
     const double ratio = mounting.relative[k] / assumed_scatter[k];
     if (!mounting.present[k] || !is_fitted(mounting, k) || ratio <= most) continue;
     most = ratio;

@@ -54,8 +54,9 @@ struct ScatterShape {
   double least_scale = 0;            // s0 is no less: repeats, or somebody, told the noise
   double most_scale = 0;             // 0: no most
   std::vector<ScatterLevel> levels;  // the least scatter of mountings last
-  // Of mountings, that which is most of what is assumed of it: what changes from run to run and no
-  // model explains widens it, and it alone. Nothing if no scatter of mountings is fitted.
+  // Kind of contacts whose exponents' scatter over mountings is most of what is assumed of it: what
+  // changes them from run to run widens it, and it alone, until a model explains that. Nothing if
+  // no such scatter is fitted.
   std::optional<std::size_t> widest;
 };
 

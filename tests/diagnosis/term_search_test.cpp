@@ -286,6 +286,31 @@ TEST(TermSearch, FindsTheValueAtWhichAStepIs) {
 }
 
 // The run was moist, too, and no other was.
+// Mountings change the sheath by 1.5 % and each tube by 2 %. A step between runs widens the scatter
+// of sheaths alone; narrowed together with that of tubes, what explains the step would cost theirs.
+TEST(ScatterShape, LetsTheWidestScatterOfContactsBeNarrowedAlone) {
+  const auto mounted = [](int run, std::uint32_t contact) {
+    return normal(5, 11 + contact, static_cast<std::uint64_t>(run));
+  };
+  const auto data_with_step = [&](double step) {
+    return read_data(readings([&](const Row& row, int strand) {
+      double exponent = phi_sheath * (0.015 * mounted(row.run, 0) - (row.run >= 8 ? step : 0.0));
+      for (int tube = 1; tube <= strand; ++tube) {
+        exponent += phi_tube * 0.02 * mounted(row.run, static_cast<std::uint32_t>(tube));
+      }
+      return std::exp(-exponent);
+    }));
+  };
+  const MeasuredData parted = data_with_step(0.25);
+  const MeasuredData explained = data_with_step(0);
+  const Dataset with_step = all_of(parted);
+  const Dataset without_step = all_of(explained);
+  Workers workers(1);
+  const ScatterShape shape = scatter_shape(with_step, {}, std::nullopt, workers);
+  EXPECT_EQ(likelihood(with_step, shape, forecast(with_step, {})).level.widest, 1);
+  EXPECT_LT(likelihood(without_step, shape, forecast(without_step, {})).level.widest, 1);
+}
+
 TEST(TermSearch, TakesAStepThatPartsOneRunForThatRunApart) {
   const DiagnosisResult result = diagnosed(
       readings([](const Row& row, int strand) { return strand == 2 && row.run == 5 ? 0.7 : 1.0; },
