@@ -73,6 +73,9 @@ class MechanicsBuilder {
   const ContactHardware* own_values(const Network& network, const TendonSpan& tendon,
                                     std::size_t k) const;
 
+  // True if the file gives a coefficient for this contact alone, or for its finger.
+  bool has_own_mu(const Network& network, const TendonSpan& tendon, std::size_t k) const;
+
   // Writes σ of each contact's own exponent (ContactScatter), 0 for a contact whose coefficient is
   // given. Keeps the memory of `deviations`.
   void deviations(const Network& network, std::vector<double>& deviations) const;
@@ -112,8 +115,6 @@ class MechanicsBuilder {
   void apply_spools(const Network& network, Mechanics& mechanics) const;
   void apply_tendons(const Network& network, Mechanics& mechanics) const;
   double deviation(const Network& network, const TendonSpan& tendon, std::size_t k) const;
-  // True if the file gives a coefficient for this contact alone, or for its finger.
-  bool has_own_mu(const Network& network, const TendonSpan& tendon, std::size_t k) const;
   void close_by_excursions(Mechanics& mechanics) const;
   void add_guides(const Network& network, Mechanics& mechanics) const;
   // Returns the place of an error about the tendon's k-th contact.

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "core/mechanics.hpp"
 #include "diagnosis/fit/mounting.hpp"
 
 namespace reeve::diagnosis {
@@ -55,6 +56,27 @@ std::vector<ContactColumn> slots(const Dataset& dataset, const Model& model, Wor
   return result;
 }
 
+// Kinds of contacts with the coefficient of their kind, at fingers (true) or elsewhere: others have
+// values of their own, as blocks have that the hardware gives a law. What is known stays, too.
+using Coefficients = std::set<std::pair<ContactKind, bool>>;
+
+Coefficients coefficients(const Dataset& dataset, const Hardware& hardware) {
+  const MechanicsBuilder builder(hardware);
+  Coefficients result;
+  for (const MeasuredRouting& routing : dataset.data->routings) {
+    for (const TendonSpan& tendon : routing.network.tendons) {
+      for (std::size_t k = 0; k < tendon.contacts; ++k) {
+        const Contact& contact = routing.network.contacts[tendon.first_contact + k];
+        if (builder.has_own_mu(routing.network, tendon, k)) continue;
+        const bool is_block = contact.kind == ContactKind::block;
+        if (is_block && hardware.block && !hardware.block->known) continue;
+        result.insert({contact.kind, contact.finger != 0});
+      }
+    }
+  }
+  return result;
+}
+
 class LeversOf {
  public:
   LeversOf(const Dataset& dataset, const Model& model, const Forecast& at, Workers& workers)
@@ -62,6 +84,7 @@ class LeversOf {
         at_(at),
         slots_(slots(dataset, model, workers)),
         contacts_(contacts_of_rows(dataset, model)),
+        coefficients_(coefficients(dataset, model.hardware)),
         block_of_(dataset.rows.size()),
         turns_(std::ranges::any_of(dataset.blocks, [&](const ReadingBlock& block) {
           return block.direction != dataset.blocks.front().direction;
@@ -154,6 +177,9 @@ class LeversOf {
       }
       if (breadth != Breadth::one) lever.load = load_at(lever.shares);
       if (!lever.load) lever.shares.clear();
+      lever.has_coefficient = std::ranges::any_of(coefficients_, [&](const auto& coefficient) {
+        return causes::acts_on(site, coefficient.first);
+      });
       levers_.push_back(std::move(lever));
     }
   }
@@ -182,8 +208,13 @@ class LeversOf {
         if (fingers.size() < 2) break;
         add_at_contacts({.kind = kind, .finger = finger}, Breadth::part);
       }
+      // The coefficient says what fingers do beside a single other contact, unless it moves this
+      // one alone.
+      const bool are_fingers_apart =
+          coefficients_.contains({kind, false}) && !coefficients_.contains({kind, true});
       for (const bool at_fingers : {true, false}) {
-        if (fingers.empty() || in_hand.size() < 2) break;
+        const bool is_said = in_hand.size() < 2 && !(at_fingers && are_fingers_apart);
+        if (fingers.empty() || is_said) break;
         add_at_contacts({.kind = kind, .at_fingers = at_fingers}, Breadth::part);
       }
       for (const bool is_held : {true, false}) {
@@ -258,6 +289,7 @@ class LeversOf {
   const Forecast& at_;
   std::vector<ContactColumn> slots_;
   RowContacts contacts_;
+  Coefficients coefficients_;
   std::vector<const ReadingBlock*> block_of_;
   bool turns_;
   std::vector<Lever> levers_;

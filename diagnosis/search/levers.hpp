@@ -43,6 +43,7 @@ struct Lever {
   Eigen::VectorXd by_value_N;          // change of each cell by the value of the row's law
   std::optional<RowCovariate> load{};  // without rows; none where it does not differ
   std::vector<ContactShare> shares{};  // what adds up to the change, where there is a load
+  bool has_coefficient = false;        // of its kind, which moves contacts of the site
 };
 
 // Returns the levers of all sites that the routings of the data have. Levers that no reading

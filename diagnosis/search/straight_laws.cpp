@@ -27,8 +27,9 @@ std::optional<double> crossing(const Covariate& x, bool is_logarithmic, double c
 bool is_library_constant(const Lever& lever) {
   if (lever.site.place != SitePlace::contacts) return lever.breadth == Breadth::whole;
   return lever.breadth == Breadth::whole &&
-         (lever.target == Target::exponent || lever.site.kind == ContactKind::bearing ||
-          lever.site.with_sheaths);
+         (lever.target == Target::exponent
+              ? lever.has_coefficient
+              : lever.site.kind == ContactKind::bearing || lever.site.with_sheaths);
 }
 
 class StraightLaws {

@@ -71,6 +71,12 @@ DiagnosisResult diagnosed(const std::string& text, int threads = 1,
   return diagnose(read_data(text), {}, options);
 }
 
+DiagnosisResult diagnosed(const std::string& text, const Hardware& hardware) {
+  return diagnose(read_data(text), {hardware}, {});
+}
+
+double as_said(const Row&, int) { return 1; }
+
 // The gain of T3 follows the supply voltage, and is right at 5.1 V.
 double as_supplied(const Row& row, int strand) {
   return strand == 2 ? 1 + 0.2 * (row.supply_V - 5.1) : 1;
@@ -193,6 +199,54 @@ TEST(TermSearch, FindsOneLawOfTubesAndSheaths) {
   }));
   EXPECT_EQ(result.causes.front().name, "law[exponent of tube and sheath, humidity_pct, linear]");
   EXPECT_NEAR(result.causes.front().effect.values.front(), 0.004, 0.0004);
+}
+
+// Nothing moves a value that the hardware gives of fingers but a law of it.
+TEST(TermSearch, FindsSheathsWhoseFingersHaveValuesOfTheirOwn) {
+  Hardware hardware;
+  for (const int finger : {1, 2}) {
+    hardware.fingers.emplace_back().finger = finger;
+    hardware.fingers.back().sheath_mu = 0.12;
+  }
+  const DiagnosisResult result = diagnosed(readings_of_two_routings(0), hardware);
+  ASSERT_EQ(result.causes.size(), 1U);
+  EXPECT_EQ(result.causes.front().name, "law[exponent of sheath]");
+  EXPECT_NEAR(result.causes.front().effect.values.front(), 0.5, 0.02);
+}
+
+TEST(TermSearch, FindsTipsThatHaveValuesOfTheirOwn) {
+  Hardware hardware;
+  for (const int finger : {1, 2}) {
+    hardware.fingers.emplace_back().finger = finger;
+    hardware.fingers.back().tip_mu = 0.12;
+  }
+  const DiagnosisResult result = diagnosed(readings(as_said), hardware);
+  ASSERT_EQ(result.causes.size(), 1U);
+  EXPECT_EQ(result.causes.front().name, "law[exponent of tube of fingers]");
+  EXPECT_NEAR(result.causes.front().effect.values.front(), 0.5, 0.03);
+}
+
+// With finger 1 held, finger 2 closes: e^{-phi} T1 = T3, and the block carries both.
+TEST(TermSearch, FindsBlocksThatHaveALawOfTheirOwn) {
+  const double at_block = std::exp(-0.08 * std::numbers::pi);
+  std::string text = "run,routing,held,motor_tension_N,T1_N,T3_N,Th1_N\n";
+  std::uint64_t drawn = 0;
+  for (int run = 0; run < 12; ++run) {
+    for (const double motor_N : {8.0, 12.0, 18.0, 27.0, 35.0, 50.0}) {
+      const double hand_N = motor_N * std::exp(-phi_sheath);
+      text += fmt::format("r{},M-Y1+1x-Y1-2x,1,{}", run, motor_N);
+      for (const double part : {1 / (1 + at_block), at_block / (1 + at_block), 1.0}) {
+        text += fmt::format(",{:.5f}", hand_N * part * (1 + 0.01 * normal(1, 7, drawn++)));
+      }
+      text += "\n";
+    }
+  }
+  Hardware hardware;
+  hardware.block = ContactLaw{0.05, std::numbers::pi};
+  const DiagnosisResult result = diagnosed(text, hardware);
+  ASSERT_EQ(result.causes.size(), 1U);
+  EXPECT_EQ(result.causes.front().name, "law[exponent of block]");
+  EXPECT_NEAR(result.causes.front().effect.values.front(), 0.03 * std::numbers::pi, 0.01);
 }
 
 TEST(TermSearch, FindsASensorThatReadsTheOtherWayRound) {
