@@ -211,9 +211,12 @@ Problem part_of(const Problem& whole, const Dataset& dataset) {
   return part;
 }
 
+Eigen::VectorXd newton_residuals(const Problem& problem, const Forecast& forecast) {
+  return problem.measured_N - expected_readings(problem, forecast);
+}
+
 Eigen::VectorXd own_residuals(const Problem& problem, const Forecast& forecast) {
-  Eigen::VectorXd result = (problem.measured_N - expected_readings(problem, forecast))
-                               .cwiseQuotient(problem.deviation_N);
+  Eigen::VectorXd result = newton_residuals(problem, forecast).cwiseQuotient(problem.deviation_N);
   take_out_scales(problem, forecast, result);
   return result;
 }
@@ -227,8 +230,16 @@ Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast) {
 Eigen::VectorXd noise_variance(const Problem& problem, const Forecast& at) {
   Eigen::VectorXd variance = problem.deviation_N.cwiseAbs2();
   for_each_scale(problem, at, [&](const ScaleAxis& scale) {
-    if (scale.share < 1) return;  // a scale that scatters leaves the residuals independent
-    variance.segment(scale.first, scale.size).array() *= 1 - scale.axis.array().square();
+    auto own = variance.segment(scale.first, scale.size).array();
+    if (scale.share < 1) {
+      own *= 1 + (std::pow(1 - scale.share, -2) - 1) * scale.axis.array().square();
+      return;
+    }
+    // A free scale makes the forecasts add up to the readings.
+    const auto deviation_N = problem.deviation_N.segment(scale.first, scale.size).array();
+    Eigen::ArrayXd part = scale.axis.array() * deviation_N;
+    part /= part.sum();
+    own = own * (1 - 2 * part) + own.sum() * part.square();
   });
   variance += shared_variance(problem);
   return variance;

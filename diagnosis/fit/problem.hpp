@@ -77,8 +77,10 @@ void take_out_scales(const Problem& problem, const Forecast& at,
 
 Eigen::VectorXd residuals(const Problem& problem, const Forecast& forecast);
 Eigen::VectorXd own_residuals(const Problem& problem, const Forecast& forecast);
+// N, as anybody reads them off the file: nothing that scatters is taken out.
+Eigen::VectorXd newton_residuals(const Problem& problem, const Forecast& forecast);
 
-// N², of each cell: of its own residual, in newton, that nothing but scatter leaves.
+// N², of each cell: of its residual in newton, if that is scatter alone.
 Eigen::VectorXd noise_variance(const Problem& problem, const Forecast& at);
 
 // N, of each cell: of its reading, with what it shares with its mounting.

@@ -36,11 +36,11 @@ double reduction(const Contribution& sum) {
   return sum.before > 0 ? 1 - std::sqrt(sum.after / sum.before) : 0;
 }
 
-// Errors in newton are the readings' own; the likelihood knows what a mounting shares.
+// Errors in newton are what the model leaves; the likelihood knows what readings share.
 std::vector<Contribution> units(const Problem& problem, const Forecast& first,
                                 const Forecast& second) {
-  const Eigen::VectorXd before = own_residuals(problem, first);
-  const Eigen::VectorXd after = own_residuals(problem, second);
+  const Eigen::VectorXd before = newton_residuals(problem, first);
+  const Eigen::VectorXd after = newton_residuals(problem, second);
   const Eigen::VectorXd likely_before = residuals(problem, first);
   const Eigen::VectorXd likely_after = residuals(problem, second);
   const Dataset& dataset = *problem.dataset;
@@ -50,9 +50,8 @@ std::vector<Contribution> units(const Problem& problem, const Forecast& first,
     Contribution unit;
     for (std::size_t i = row.first; i < row.last; ++i) {
       const auto k = static_cast<Eigen::Index>(i);
-      const double sd = problem.deviation_N[k];
-      unit.before += before[k] * before[k] * sd * sd;
-      unit.after += after[k] * after[k] * sd * sd;
+      unit.before += before[k] * before[k];
+      unit.after += after[k] * after[k];
       unit.cells += 1;
       unit.gain += (std::pow(likely_before[k], 2) - std::pow(likely_after[k], 2)) / 2;
     }
@@ -117,17 +116,16 @@ NoiseLimit noise_limit(const Problem& held_out, const Forecast& before) {
 std::vector<RunGain> run_gains(const Problem& held_out, const Forecast& before,
                                const Forecast& after) {
   const Dataset& dataset = *held_out.dataset;
-  const Eigen::VectorXd first = own_residuals(held_out, before);
-  const Eigen::VectorXd second = own_residuals(held_out, after);
+  const Eigen::VectorXd first = newton_residuals(held_out, before);
+  const Eigen::VectorXd second = newton_residuals(held_out, after);
   const Eigen::VectorXd noise = noise_variance(held_out, after);
   std::map<std::size_t, RunGain> by_run;
   for (std::size_t i = 0; i < dataset.cells.size(); ++i) {
     const auto k = static_cast<Index>(i);
-    const double sd = held_out.deviation_N[k];
     RunGain& sum = by_run[dataset.data->readings[dataset.cells[i].reading].run];
     sum.cells += 1;
-    sum.rms_before_N += std::pow(first[k] * sd, 2);
-    sum.rms_after_N += std::pow(second[k] * sd, 2);
+    sum.rms_before_N += std::pow(first[k], 2);
+    sum.rms_after_N += std::pow(second[k], 2);
     sum.rms_noise_N += noise[k];
   }
   std::vector<RunGain> gains;

@@ -6,6 +6,7 @@
 #include "diagnosis/fit/fit.hpp"
 #include "diagnosis/fit/noise.hpp"
 #include "diagnosis/fit/null_model.hpp"
+#include "diagnosis/verdict/held_out.hpp"
 #include "numerics/random.hpp"
 #include "readings/reading_options.hpp"
 #include "tests/diagnosis/gain_bench.hpp"
@@ -158,6 +159,19 @@ TEST(KnownNoise, OfTheMotorTensionIsSharedByTheRow) {
   });
   for (const double square : squares) sum += square / 2000;
   EXPECT_NEAR(sum, 6, 4 * std::sqrt(12.0 / 2000));
+}
+
+// Whoever subtracts the forecast from the reading finds the residual that the verdict tells.
+TEST(KnownNoise, OfTheMotorTensionIsNotTakenOutOfResidualsInNewton) {
+  MeasuredData data = bench_data({{"a", 20, 26}, {"b", 20, 18}});
+  data.known_motor_noise = KnownNoise{.absolute_N = 2};
+  const Dataset dataset = all_of(data);
+  const Problem bench = bench_problem(dataset);
+  const Forecast at = forecast(dataset, bench_model());
+  EXPECT_NEAR(held_out_gain(bench, at, at, 1).rms_before_N, std::sqrt((36.0 + 4) / 2), 1e-9);
+  const RunGain run = run_gains(bench, at, at)[0];
+  EXPECT_NEAR(run.rms_before_N, 6, 1e-9);
+  EXPECT_NEAR(run.rms_noise_N, std::hypot(bench_deviation_N, 2), 1e-9);
 }
 
 // Chance in the reading may not decide what it weighs.

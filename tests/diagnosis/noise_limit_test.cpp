@@ -60,12 +60,15 @@ TEST(NoiseLimit, IsWhatTheTrueModelGains) {
   EXPECT_NEAR(within, 0.95 * experiments, 3 * std::sqrt(0.95 * 0.05 * experiments));
 }
 
-// Two values a row, whose common scale is free: half of what noise does can be called scale.
+// Two values a row, whose common scale is free: the forecasts T1 = w S and T2 = (1 - w) S add up to
+// the readings, so that noise e leaves (1 - w) e1 - w e2 of T1, and as much of T2 with its sign
+// turned.
 TEST(NoiseLimit, CountsOutWhatAFreeScaleTakes) {
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0, sd_N);
   double squares = 0, limits = 0;
   constexpr int experiments = 100;
+  const double w = 1 / (1 + truth(0.18, 1, true) / truth(0.18, 1, false));
   for (int n = 0; n < experiments; ++n) {
     std::string text = "run,routing,T1_N,T2_N\n";
     for (int i = 0; i < row_count; ++i) {
@@ -75,12 +78,13 @@ TEST(NoiseLimit, CountsOutWhatAFreeScaleTakes) {
     const MeasuredData data = read_data(text);
     const Dataset part = all_of(data);
     const Problem held_out = problem(part, Eigen::VectorXd::Constant(2 * row_count, sd_N));
-    squares += misfit(held_out, Model{}) * sd_N * sd_N / (2 * row_count);
     const Forecast nominal = forecast(part, Model{});
     const NoiseLimit limit = noise_limit(held_out, nominal);
+    const RunGain run = run_gains(held_out, nominal, nominal)[0];
+    squares += run.rms_before_N * run.rms_before_N;
     limits += limit.rms_N * limit.rms_N;
-    EXPECT_NEAR(limit.rms_N, sd_N / std::numbers::sqrt2, 1e-12);
-    EXPECT_NEAR(run_gains(held_out, nominal, nominal)[0].rms_noise_N, limit.rms_N, 1e-12);
+    EXPECT_NEAR(limit.rms_N, sd_N * std::hypot(w, 1 - w), 1e-12);
+    EXPECT_NEAR(run.rms_noise_N, limit.rms_N, 1e-12);
   }
   // Of 3000 degrees of freedom in all: standard deviation 2.6 %.
   EXPECT_NEAR(squares, limits, 3 * 0.026 * limits);
