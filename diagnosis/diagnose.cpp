@@ -414,7 +414,8 @@ class Diagnosis {
   }
 
   void plan_measurements() {
-    const MeasurementPlan plan = measurement_plan(data_, options_.routings, result_.noise);
+    const MeasurementPlan plan =
+        measurement_plan(*found_.problem.dataset, options_.routings, found_.scatter);
     if (!alias_models_.empty()) {
       result_.separating_measurement =
           separating_measurement(plan, alias_models_, result_.indistinguishable.front());

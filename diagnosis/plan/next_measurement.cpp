@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "causes/model_solver.hpp"
+#include "diagnosis/fit/scatter_samples.hpp"
 #include "numerics/matrices.hpp"
 
 namespace reeve::diagnosis {
@@ -139,6 +140,16 @@ class Reader {
     return (result.array() <= reach).all() ? result : VectorXd();
   }
 
+  std::vector<NumberedContact> contacts() const {
+    std::vector<NumberedContact> result;
+    for (const Contact& contact : network_.contacts) {
+      const auto number = std::ranges::count(result, contact.kind,
+                                             [](const NumberedContact& one) { return one.kind; });
+      result.push_back({contact.kind, static_cast<std::size_t>(number)});
+    }
+    return result;
+  }
+
   std::string segment(Index i) const {
     return segment_name(network_.segments[segments_[static_cast<std::size_t>(i)]]);
   }
@@ -226,6 +237,51 @@ MatrixXd jacobian(const MeasurementPlan& plan, const Reader& reader, const Model
   return result;
 }
 
+// The change of the readings by a relative change of this contact's exponent.
+VectorXd by_exponent(const Reader& reader, const Model& model, const Measurement& at,
+                     const NumberedContact& contact) {
+  constexpr double step = 1e-4;
+  const auto there = [&](double change) {
+    const ChangedExponents exponents([&](double phi, const ContactLoad& load) {
+      return contact.is(load) ? phi * (1 + change) : phi;
+    });
+    Model changed = model;
+    add_effect(changed, {&exponents, {}, {}});
+    return reader(changed, at.grasp, at.direction, at.conditions);
+  };
+  const VectorXd more = there(step), less = there(-step);
+  if (more.size() == 0 || less.size() == 0) return VectorXd();
+  return (more - less) / (2 * step);
+}
+
+// L, in units of the noise.
+MatrixXd loadings(const MeasurementPlan& plan, const Reader& reader, const Model& model,
+                  const Measurement& at, const VectorXd& here) {
+  const auto tau = [&](Mounted kind) { return plan.mounting[static_cast<std::size_t>(kind)]; };
+  const Index n = here.size();
+  std::vector<VectorXd> columns{tau(Mounted::gain) * here};  // of the motor's pull
+  for (const NumberedContact& contact : reader.contacts()) {
+    const auto kind = mounted_kind(contact.kind);
+    if (!kind || tau(*kind) == 0) continue;
+    const VectorXd change = by_exponent(reader, model, at, contact);
+    if (change.size() == n) columns.emplace_back(tau(*kind) * change);
+  }
+  MatrixXd result(n, 2 * n + static_cast<Index>(columns.size()));
+  result.leftCols(n) = (tau(Mounted::gain) * here).asDiagonal();
+  result.middleCols(n, n) = VectorXd::Constant(n, plan.zero_N).asDiagonal();
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    result.col(2 * n + static_cast<Index>(c)) = columns[c];
+  }
+  return deviation(plan, here).cwiseInverse().asDiagonal() * result;
+}
+
+// Jᵀ C⁻¹ J of columns J in units of the noise.
+MatrixXd information(const MatrixXd& columns, const MatrixXd& loadings) {
+  MatrixXd covariance = loadings * loadings.transpose();
+  covariance.diagonal().array() += 1.0 / planned_readings;
+  return columns.transpose() * inverse_of_symmetric(covariance) * columns;
+}
+
 double width(const MatrixXd& information, Index parameter) {
   const MatrixXd damped = information + 1e-12 * MatrixXd(information.diagonal().asDiagonal());
   const VectorXd column = solve_symmetric(damped, VectorXd::Unit(information.cols(), parameter));
@@ -240,7 +296,8 @@ std::optional<PlannedMeasurement> separating(const MeasurementPlan& plan, const 
     const VectorXd second = reader(b, at.grasp, at.direction, at.conditions);
     if (first.size() == 0 || first.size() != second.size()) return;
     const VectorXd sd = deviation(plan, (first + second) / 2);
-    const double brought = planned_readings * (first - second).cwiseQuotient(sd).squaredNorm() / 2;
+    const VectorXd apart = (first - second).cwiseQuotient(sd);
+    const double brought = information(apart, loadings(plan, reader, a, at, first))(0, 0) / 2;
     // A percent more is no reason to prefer a stranger measurement to one that was met before.
     if (brought < least_log_likelihood ||
         (best && brought <= 1.01 * best->expected_log_likelihood)) {
@@ -257,15 +314,18 @@ std::optional<PlannedMeasurement> separating(const MeasurementPlan& plan, const 
 
 }  // namespace
 
-MeasurementPlan measurement_plan(const MeasuredData& data,
+MeasurementPlan measurement_plan(const Dataset& dataset,
                                  const std::vector<MeasurableRouting>& further,
-                                 const Noise& noise) {
-  MeasurementPlan plan{&data, {}, noise};
+                                 const Scatter& scatter) {
+  const MountedScatter& mounting = scatter.mounting.relative;
+  const double zero = mounting[static_cast<std::size_t>(Mounted::zero)];
+  MeasurementPlan plan{dataset.data, {}, scatter.noise, mounting, zero * median_reading(dataset)};
   const auto add = [&](const MeasurableRouting& routing) {
     const auto known = std::ranges::find(plan.routings, routing.word, &MeasurableRouting::word);
     if (known == plan.routings.end()) plan.routings.push_back(routing);
   };
-  for (const MeasuredRouting& measured : data.routings) add({measured.word, measured.routing});
+  for (const MeasuredRouting& measured : dataset.data->routings)
+    add({measured.word, measured.routing});
   for (const MeasurableRouting& routing : further) add(routing);
   return plan;
 }
@@ -291,24 +351,24 @@ std::optional<PlannedMeasurement> shrinking_measurement(const MeasurementPlan& p
                                                         std::size_t effect) {
   const MatrixXd known = sensitivities(problem, model, forecast(*problem.dataset, model));
   if (known.cols() == 0 || model.effects[effect].values.empty()) return std::nullopt;
-  const MatrixXd information = known.transpose() * known;
+  const MatrixXd before = known.transpose() * known;
   Index parameter = 0;
   for (std::size_t e = 0; e < effect; ++e) {
     parameter += static_cast<Index>(model.effects[e].values.size());
   }
-  const double now = width(information, parameter);
+  const double now = width(before, parameter);
   std::optional<PlannedMeasurement> best;
   for_each_measurement(plan, [&](const Reader& reader, const Measurement& at) {
     const MatrixXd rows = jacobian(plan, reader, model, at);
     if (rows.rows() == 0) return;
-    const double then =
-        width(information + planned_readings * (rows.transpose() * rows), parameter);
+    const VectorXd here = reader(model, at.grasp, at.direction, at.conditions);
+    const MatrixXd shared = loadings(plan, reader, model, at, here);
+    const double then = width(before + information(rows, shared), parameter);
     if (then > (1 - least_narrowing) * now || (best && then >= 0.99 * best->width_expected)) return;
     best = PlannedMeasurement{};
     best->measurement = at;
     best->width_now = now;
     best->width_expected = then;
-    const VectorXd here = reader(model, at.grasp, at.direction, at.conditions);
     best->expected = expected_readings(reader, here, here, deviation(plan, here));
     mark_conditions(reader, {&model}, best->measurement);
   });

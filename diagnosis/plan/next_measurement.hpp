@@ -5,10 +5,13 @@
 // (and a little beyond) what the data have.
 //
 //   separating  between two explanations A and B: the reading whose forecasts differ most,
-//               Σ_i (p_A,i − p_B,i)² / 2 sd_i², which is the log-likelihood it is expected to bring
-//               to whichever is right
+//               dᵀ C⁻¹ d / 2 of the differences d_i = (p_A,i − p_B,i) / sd_i, which is the
+//               log-likelihood it is expected to bring to whichever is right
 //   shrinking   the reading after which the interval of the first named parameter is expected to be
-//               narrowest: information matrix JᵀJ of the data and of `readings` such readings
+//               narrowest: information matrix JᵀJ of the data, and Jᵀ C⁻¹ J of n such readings
+//
+// The n readings are of one new mounting, so they share its scatter: C = 1/n + L Lᵀ, with a column
+// of L for what each thing that is mounted does to a reading (mounting.hpp).
 #pragma once
 
 #include <optional>
@@ -17,7 +20,7 @@
 
 #include "causes/model.hpp"
 #include "core/routing.hpp"
-#include "diagnosis/fit/noise.hpp"
+#include "diagnosis/fit/mounting_scatter.hpp"
 #include "diagnosis/fit/problem.hpp"
 
 namespace reeve::diagnosis {
@@ -67,11 +70,14 @@ struct MeasurementPlan {
   const MeasuredData* data = nullptr;       // must outlive the plan
   std::vector<MeasurableRouting> routings;  // to choose from
   Noise noise;
+  MountedScatter mounting{};  // of exponents and gains, relative
+  double zero_N = 0;          // scatter of the channels' zeros
 };
 
 // The data's routings first: what is on the rig is easiest to measure again.
-MeasurementPlan measurement_plan(const MeasuredData& data,
-                                 const std::vector<MeasurableRouting>& further, const Noise& noise);
+MeasurementPlan measurement_plan(const Dataset& dataset,
+                                 const std::vector<MeasurableRouting>& further,
+                                 const Scatter& scatter);
 
 // Separates the first of these explanations from the first other one that can be separated from it.
 // Returns nothing if no measurement does: they say the same of everything.

@@ -88,5 +88,36 @@ TEST(ShrinkingMeasurement, IsExpectedToNarrowWhatItSaysItNarrows) {
   EXPECT_GT(measurement->width_expected, 0);
 }
 
+// Of ten mountings with an exponent of their own each, another adds an eleventh, however well it
+// is read: the interval narrows by the root of 10/11.
+TEST(ShrinkingMeasurement, CountsANewMountingAsOne) {
+  const MeasuredData data = read_data(few_conditions);
+  const Dataset dataset = all_of(data);
+  const Model model = with("tube_friction", {0.15});
+  MeasurementPlan mounted{&data, {{"M-1-F", parse_routing("M-1-F")}}, {0, 1e-4}};
+  const double scatter = 0.02;
+  mounted.mounting[static_cast<std::size_t>(Mounted::tube)] = scatter;
+  // A reading of the ratio T2/T1 alone: ten mountings' information on mu is 10 / (scatter mu)².
+  Problem problem = reeve::problem(dataset, Eigen::VectorXd::Constant(6, 1));
+  const Eigen::MatrixXd unit = sensitivities(problem, model, forecast(dataset, model));
+  problem.deviation_N *= unit.norm() * scatter * 0.15 / std::sqrt(10);
+  const auto measurement = shrinking_measurement(mounted, problem, model, 0);
+  ASSERT_TRUE(measurement.has_value());
+  EXPECT_NEAR(measurement->width_expected / measurement->width_now, std::sqrt(10.0 / 11), 1e-4);
+}
+
+// The more a new mounting scatters, the less its readings tell one explanation from another.
+TEST(SeparatingMeasurement, IsNoBetterThanTheMountingItTakes) {
+  const MeasuredData data = read_data(few_conditions);
+  MeasurementPlan mounted = plan(data);
+  mounted.noise = {0, 1e-4};
+  mounted.routings.resize(1);
+  const double scatter = 0.1;
+  mounted.mounting[static_cast<std::size_t>(Mounted::tube)] = scatter;
+  const auto measurement = separating_measurement(
+      mounted, {with("tube_friction", {0.18}), with("tube_friction", {0.17})}, {"a", "b"});
+  EXPECT_FALSE(measurement.has_value());  // (0.01 / 0.018)² / 2 nats
+}
+
 }  // namespace
 }  // namespace reeve::testing
