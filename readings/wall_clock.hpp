@@ -12,6 +12,8 @@
 #include <string>
 #include <string_view>
 
+#include "numerics/floors.hpp"
+
 namespace reeve::readings {
 
 struct WallTime {
