@@ -44,8 +44,8 @@ TEST(BadHardware, IsNamedWithFileLineAndColumn) {
        "tendon.toml:3:9: hardware: tendon '7': expected 1 of M-1-T-2-F: a spring needs a "
        "tendon with one end at an M"},
       {"show M-1b-M --hardware tendon.toml",
-       "tendon.toml:3:9: hardware: tendon '7': expected none in M-1b-M: a spring needs a tendon with "
-       "one end at an M"},
+       "tendon.toml:3:9: hardware: tendon '7': expected none in M-1b-M: a spring needs a tendon "
+       "with one end at an M"},
       {"rank M-1x+M-2x --hardware tendon.toml",
        "tendon.toml:3:9: hardware: tendon '7': expected 1 or 2 of M-1x+M-2x: "},
       {"explore --out out --hardware negative.toml", "negative.toml:2:6: tube.mu = -0.1"},
