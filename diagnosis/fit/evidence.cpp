@@ -303,6 +303,7 @@ Likelihood likelihood(const Dataset& dataset, const ScatterShape& shape, const F
       ScatterLevel level = best.level;
       level.widest = widest;
       Likelihood here = likelihood(dataset, shape, at, level);
+      here.value -= std::log1p(shape.scatter.mounting.told_by[*shape.widest]) / 2;
       if (here.value > best.value) best = std::move(here);
     }
     return best;

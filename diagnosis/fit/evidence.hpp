@@ -8,9 +8,9 @@
 // freedom, and s0^2 = sum r^2 / nu is the likeliest. The shape of the bracket is taken from what a
 // reference model leaves within mountings. Readings that a model explains less well may look like
 // mountings that differ, or like motor tensions that scatter. So each model that is compared is
-// given the likeliest of a few levels g, also of the kind of mountings that scatters most. The
-// prior of the mountings' scatter tau = g_m tau_0 is the gamma density tau e^{-tau/s} about the
-// assumed scatter s (mounting_scatter.hpp).
+// given the likeliest of a few levels g. A level apart for the contacts that scatter most costs
+// ln(1 + n) / 2, as a parameter that n mountings tell. The prior of the mountings' scatter tau =
+// g_m tau_0 is the gamma density tau e^{-tau/s} about the assumed scatter s (mounting_scatter.hpp).
 //
 // A reading farther than 3.5 s0 from its forecast scatters by as much more as it is farther: it
 // weighs like one at 3.5 s0, and costs the logarithm of the factor. Readings that are wrong by
