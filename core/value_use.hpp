@@ -24,7 +24,7 @@ class ValueUse {
 
   void look_at(const Network& network);
 
-  // Of more networks than can be looked at, one may have a contact that takes it.
+  // Says that one of more networks than can be looked at may have a contact that takes it.
   void suppose_taken() { is_taken_ = true; }
   // True if a contact, or a guide of a finger, takes the value of its kind.
   bool is_taken() const { return is_taken_; }

@@ -48,7 +48,7 @@ std::map<std::size_t, RunValues> by_routing(const MeasuredData& data, std::size_
   return result;
 }
 
-// Of all runs of a routing.
+// The greatest spans of all runs of a routing.
 struct GreatestSpans {
   double channel_N = 0;
   double motor_N = 0;

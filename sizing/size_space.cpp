@@ -181,7 +181,7 @@ std::string dimension_list(const Network& network, const Hardware& hardware) {
   return fmt::format("{}{}", fmt::join(names, ", "), has_more ? ", …" : "");
 }
 
-// What a quantity needs that no routing has by itself; empty if that is not what is missing.
+// Returns what a quantity needs that no routing has by itself; empty if nothing such is missing.
 const char* needs(SizedQuantity quantity, const Hardware& hardware) {
   if (quantity != SizedQuantity::arm_mm || hand(hardware)) return "";
   return "a hand with it: the joints of its fingers in the hardware file (docs/hand.md)";

@@ -10,9 +10,9 @@
 //   e_i + s_i - s_{i-1} = 0,      on a loop up to a circulation c that minimises Σ phi_k |s_k|:
 //                                 the friction-weighted median
 //
-// Of a tip with guides phi_k is its own, and the guides of both strands, which slide by dl − s and
-// dl + s at the palm, add S |dl − s| + S |dl + s| (finger_guides.hpp). Where the median is there,
-// s = ± dl, a strand rests at the palm, and its tip counts as one that does not slide.
+// A tip with guides has its own phi_k there, and the guides of both strands, which slide by dl − s
+// and dl + s at the palm, add S |dl − s| + S |dl + s| (finger_guides.hpp). Where the median is
+// there, s = ± dl, a strand rests at the palm, and its tip counts as one that does not slide.
 //
 // The thread is only nearly inextensible: what yields (e_i < 0: fingers when pulling, the carriage
 // when releasing, a carriage that lets out while another pulls) yields a fraction epsilon less than

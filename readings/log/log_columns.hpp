@@ -15,7 +15,7 @@
 
 namespace reeve::readings {
 
-// What is wrong goes to `faults`; its columns have no name.
+// Adds what is wrong to `faults`; its columns have no name.
 DataColumns read_log_columns(const CsvReader& csv, const Beginning& beginning,
                              const ReadingOptions& options, FaultList& faults);
 

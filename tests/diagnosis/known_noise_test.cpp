@@ -161,7 +161,7 @@ TEST(KnownNoise, OfTheMotorTensionIsSharedByTheRow) {
   EXPECT_NEAR(sum, 6, 4 * std::sqrt(12.0 / 2000));
 }
 
-// Whoever subtracts the forecast from the reading finds the residual that the verdict tells.
+// The residual that the verdict tells is the reading less the forecast.
 TEST(KnownNoise, OfTheMotorTensionIsNotTakenOutOfResidualsInNewton) {
   MeasuredData data = bench_data({{"a", 20, 26}, {"b", 20, 18}});
   data.known_motor_noise = KnownNoise{.absolute_N = 2};
