@@ -77,27 +77,30 @@ class SiteReader {
   void split_off_runs_and_group() {
     const std::size_t one = rest_.find(run_mark);
     const std::size_t more = rest_.find(runs_mark);
-    const bool has_runs = std::min(one, more) < rest_.find(group_mark);
-    site_.group =
-        split_off(has_runs ? rest_.rfind(group_mark) : rest_.find(group_mark), group_mark);
-    if (!has_runs) return;
-    std::string names = split_off(std::min(one, more), one < more ? run_mark : runs_mark);
-    if (one < more) {
-      site_.runs = {std::move(names)};
+    if (std::min(one, more) >= rest_.find(group_mark)) {
+      site_.group = split_off(rest_, rest_.find(group_mark), group_mark);
       return;
     }
-    for (std::size_t end = 0; end != std::string::npos;) {
+    std::string_view names =
+        split_off(rest_, std::min(one, more), one < more ? run_mark : runs_mark);
+    site_.group = split_off(names, names.rfind(group_mark), group_mark);
+    if (one < more) {
+      site_.runs = {std::string(names)};
+      return;
+    }
+    for (std::size_t end = 0; end != std::string_view::npos;) {
       end = names.find(between_runs);
-      site_.runs.push_back(names.substr(0, end));
-      names.erase(0, end + between_runs.size());
+      site_.runs.emplace_back(names.substr(0, end));
+      if (end != std::string_view::npos) names.remove_prefix(end + between_runs.size());
     }
   }
 
-  // Cuts the text off at the mark and returns what stands behind it; "" if there is no mark.
-  std::string split_off(std::size_t at, std::string_view mark) {
+  // Cuts a text off at the mark and returns what stands behind it; "" if there is no mark.
+  static std::string_view split_off(std::string_view& text, std::size_t at,
+                                    std::string_view mark) {
     if (at == std::string_view::npos) return "";
-    std::string name(rest_.substr(at + mark.size()));
-    rest_ = rest_.substr(0, at);
+    const std::string_view name = text.substr(at + mark.size());
+    text = text.substr(0, at);
     return name;
   }
 

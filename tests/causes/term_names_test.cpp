@@ -138,6 +138,10 @@ TEST(SiteName, IsReadBack) {
   EXPECT_EQ(site.group, "C");
   EXPECT_EQ(site_of("T3 in runs 4, 7").runs, (std::vector<std::string>{"4", "7"}));
   EXPECT_EQ(site_of("T3").channel, parse_segment("T3"));
+  // The blank before a name is the mark's, even if the name goes on like another mark.
+  EXPECT_EQ(site_of("T3 in run in group C").runs, std::vector<std::string>{"in group C"});
+  EXPECT_EQ(site_of("T3 in runs in group C, 4").runs,
+            (std::vector<std::string>{"in group C", "4"}));
 }
 
 TEST(SiteName, OfNothingIsNoSite) {
