@@ -83,13 +83,6 @@ LeverLaw FoundLaws::law(std::size_t l, const RowLaw& of) const {
   return law;
 }
 
-LeverLaw FoundLaws::law_of_group(std::size_t l, std::size_t groups) const {
-  LeverLaw result = law(l, {});
-  result.kind.what = What::of_part;
-  result.price += std::log(static_cast<double>(groups));
-  return result;
-}
-
 LeverLaw FoundLaws::law_of_runs(std::size_t l, std::size_t size, std::size_t runs) const {
   LeverLaw result = law(l, {});
   result.kind.what = What::of_part;

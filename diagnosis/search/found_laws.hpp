@@ -42,8 +42,6 @@ class FoundLaws {
   explicit FoundLaws(const LawColumns& columns);
 
   LeverLaw law(std::size_t lever, const RowLaw& of) const;
-  // The constant that one of so many groups has by itself.
-  LeverLaw law_of_group(std::size_t lever, std::size_t groups) const;
   // The constant that so many of all runs have in common, whichever they are.
   LeverLaw law_of_runs(std::size_t lever, std::size_t size, std::size_t runs) const;
   // An offset in proportion to the n-th of so many tensions.

@@ -12,9 +12,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr std::size_t few_groups = 2;
-
-// Cells of each run or each group.
+// Cells of each run.
 using Parts = std::map<std::size_t, std::vector<Index>>;
 
 // A column for each part: 1 in its cells.
@@ -24,24 +22,6 @@ MatrixXd indicators(const LawColumns& columns, const Parts& parts) {
   Index own = 0;
   for (const auto& [part, cells] : parts) values.col(own++)(cells).setOnes();
   return values;
-}
-
-void screen_groups(const LawColumns& columns, Parts groups, FoundLaws& found) {
-  if (groups.size() < few_groups) return;
-  // One of two groups has less of what the other has more.
-  if (groups.size() == few_groups) groups.erase(groups.begin());
-  const MatrixXd values = indicators(columns, groups);
-  for (std::size_t l = 0; l < columns.table().levers.size(); ++l) {
-    if (!columns.is_whole(l)) continue;
-    const MatrixXd seen = columns.columns(columns.lever(l), values);
-    Index own = 0;
-    for (const auto& [group, cells] : groups) {
-      const LawFamily of = columns.family(seen, {own++});
-      LeverLaw law = found.law_of_group(l, groups.size());
-      law.term.site.group = columns.dataset().data->groups[group];
-      if (of.gain > 0) found.keep(law, of.gain, {of.size[0]});
-    }
-  }
 }
 
 // A run, and what a lever does there alone.
@@ -111,14 +91,12 @@ class RunScreen {
 
 }  // namespace
 
-void screen_parts(const LawColumns& columns, FoundLaws& found) {
-  Parts runs, groups;
+void screen_runs(const LawColumns& columns, FoundLaws& found) {
+  Parts runs;
   for (std::size_t i = 0; i < columns.dataset().cells.size(); ++i) {
     const Reading& reading = columns.dataset().data->readings[columns.dataset().cells[i].reading];
     runs[reading.run].push_back(static_cast<Index>(i));
-    if (reading.group) groups[*reading.group].push_back(static_cast<Index>(i));
   }
-  screen_groups(columns, std::move(groups), found);
   if (runs.size() < few_runs) return;
   RunScreen of_runs(columns, runs, found);
   for (std::size_t l = 0; l < columns.table().levers.size(); ++l) {
@@ -134,7 +112,7 @@ std::vector<ScreenedLaw> best_laws(const LawTable& table, const Problem& problem
   FoundLaws found(columns);
   const std::vector<Bend> bends = screen_straight(columns, found);
   screen_waves(columns, found);
-  screen_parts(columns, found);
+  screen_runs(columns, found);
   screen_tensions(columns, found);
   screen_bent(columns, bends, found);
   return found.best(most);

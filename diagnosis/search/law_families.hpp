@@ -30,8 +30,8 @@ void screen_waves(const LawColumns& columns, FoundLaws& found);
 // A run stands apart only from this many, itself among them.
 inline constexpr std::size_t few_runs = 4;
 
-// Screens what one group does by itself, and what one run does, or some of them alike.
-void screen_parts(const LawColumns& columns, FoundLaws& found);
+// Screens what one run does by itself, or some of them alike.
+void screen_runs(const LawColumns& columns, FoundLaws& found);
 
 // Screens offsets of channels in proportion to another channel's tension or to the motor's: they
 // are 0 where it is, or a wrong zero would seem a part of them.

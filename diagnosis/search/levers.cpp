@@ -98,11 +98,25 @@ class LeversOf {
     add_contacts();
     add_channels();
     add_motor();
-    std::erase_if(levers_, [](const Lever& lever) { return lever.by_value_N.isZero(0); });
-    return std::move(levers_);
+    add_in_groups();
+    std::vector<Lever> result;
+    for (Lever& lever : levers_) {
+      if (!lever.by_value_N.isZero(0) && !has_alike(result, lever)) {
+        result.push_back(std::move(lever));
+      }
+    }
+    return result;
   }
 
  private:
+  // Sites that have the same contacts wherever there are readings are one, named by the widest.
+  static bool has_alike(const std::vector<Lever>& levers, const Lever& other) {
+    return std::ranges::any_of(levers, [&](const Lever& lever) {
+      return lever.target == other.target && lever.site.place == other.site.place &&
+             lever.by_value_N == other.by_value_N;
+    });
+  }
+
   const MeasuredRouting& routing(std::size_t row) const {
     return dataset_.data->routings[block_of_[row]->routing];
   }
@@ -283,6 +297,35 @@ class LeversOf {
     add_cells(Target::force, site, Breadth::whole, [&](std::size_t r, Index cell) {
       return (block_of_[r]->direction == Direction::pull ? -1 : 1) * by_motor(r, cell);
     });
+  }
+
+  // What acts on the whole rig, in one group of readings by itself: nothing says what others do.
+  void add_in_groups() {
+    const std::vector<std::string>& groups = dataset_.data->groups;
+    const std::size_t of_all = levers_.size();
+    for (std::size_t g = 0; g < groups.size() && groups.size() > 1; ++g) {
+      std::vector<bool> is_in(dataset_.cells.size());
+      for (std::size_t i = 0; i < is_in.size(); ++i) {
+        is_in[i] = dataset_.data->readings[dataset_.cells[i].reading].group == g;
+      }
+      for (std::size_t l = 0; l < of_all; ++l) {
+        if (levers_[l].breadth != Breadth::whole) continue;
+        levers_.push_back(inside(levers_[l], is_in));
+        levers_.back().site.group = groups[g];
+      }
+    }
+  }
+
+  static Lever inside(Lever lever, const std::vector<bool>& is_in) {
+    lever.breadth = Breadth::part;
+    for (std::size_t i = 0; i < is_in.size(); ++i) {
+      if (!is_in[i]) lever.by_value_N[static_cast<Index>(i)] = 0;
+    }
+    std::erase_if(lever.shares, [&](const ContactShare& share) {
+      return !is_in[static_cast<std::size_t>(share.cell)];
+    });
+    lever.load = load_at(lever.shares);
+    return lever;
   }
 
   const Dataset& dataset_;

@@ -23,6 +23,11 @@ std::optional<double> crossing(const Covariate& x, bool is_logarithmic, double c
   return at;
 }
 
+// The first of two groups has less of what the other has more.
+bool is_first_of_two(const Lever& lever, const std::vector<std::string>& groups) {
+  return groups.size() == 2 && lever.site.group == groups.front();
+}
+
 // The library or the hardware has a name for the constant: friction, bearing_drag.
 bool is_library_constant(const Lever& lever) {
   if (lever.site.place != SitePlace::contacts) return lever.breadth == Breadth::whole;
@@ -126,7 +131,8 @@ class StraightLaws {
            {column(of.x, of.x_logarithmic), column(of.y, of.y_logarithmic)});
     } else if (of.form != Form::constant) {
       keep(found_.law(l, of), seen, own, {0});
-    } else if (!is_library_constant(lever)) {
+    } else if (!is_library_constant(lever) &&
+               !is_first_of_two(lever, columns_.dataset().data->groups)) {
       keep(found_.law(l, of), seen, own, {});
     }
   }

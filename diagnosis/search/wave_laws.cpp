@@ -91,7 +91,7 @@ void screen(const LawColumns& columns, const Waves& waves, std::size_t l, FoundL
 void screen_waves(const LawColumns& columns, FoundLaws& found) {
   const Waves waves = waves_of(columns);
   for (std::size_t l = 0; l < columns.table().levers.size() && !waves.sines.empty(); ++l) {
-    if (columns.is_whole(l)) screen(columns, waves, l, found);
+    screen(columns, waves, l, found);
   }
 }
 
