@@ -100,6 +100,31 @@ TEST(TermSearch, FindsTheSiteTheCovariateAndTheSizeOfALaw) {
   EXPECT_LT(result.held_out->rms_after_N, result.held_out->rms_before_N);
 }
 
+// A tube of the fingertip rubs more and less as it turns with what the column counts.
+TEST(TermSearch, FindsAWaveOfOneContact) {
+  const DiagnosisResult result = diagnosed(readings([](const Row& row, int strand) {
+    const double wave = 0.25 * std::sin(2 * std::numbers::pi * row.humidity_pct / 20);
+    return strand < 2 ? 1 : std::exp(-phi_tube * wave);
+  }));
+  ASSERT_EQ(result.causes.size(), 1U);
+  const NamedCause& law = result.causes.front();
+  EXPECT_EQ(law.name, "law[exponent of tube 2 of M-1-T-2-F, humidity_pct, sine]");
+  EXPECT_NEAR(std::hypot(law.effect.values[0], law.effect.values[1]), 0.25, 0.02);
+  EXPECT_NEAR(law.effect.values[2], 20, 0.5);
+}
+
+TEST(TermSearch, FindsALawOfOneGroup) {
+  MeasuredData data = read_data(readings([](const Row& row, int strand) {
+    return row.run % 2 == 1 && strand == 2 ? 1 + 0.2 * (row.supply_V - 5) : 1;
+  }));
+  data.groups = {"old", "new"};
+  for (Reading& reading : data.readings) reading.group = reading.run % 2;
+  const DiagnosisResult result = diagnose(data, {}, {});
+  ASSERT_EQ(result.causes.size(), 1U);
+  EXPECT_EQ(result.causes.front().name, "law[gain of T3 in group new, supply_V, linear]");
+  EXPECT_NEAR(result.causes.front().effect.values.front(), 0.2, 0.02);
+}
+
 // With finger 1 held, the tendons of both routings run towards their first end at M, and each
 // tension follows from the one before it. The motor pulls M-1-P-2-F at three segments.
 std::string readings_of_two_routings(double more_at_sheaths) {
@@ -533,6 +558,24 @@ TEST(Levers, AreTheDerivativesOfTheEquations) {
     EXPECT_NEAR(by_root[i], root_force, 1e-5);
     root_force = root_force * std::exp(-phi_tube) - std::sqrt(tension_N);
   }
+}
+
+// The hand has one sheath, and three tubes of which one is in no finger.
+TEST(Levers, OfTheSameContactsAreOne) {
+  const MeasuredData data = read_data(
+      "run,routing,held,motor_tension_N,T1_N,T2_N,T3_N,T4_N\n"
+      "a,M-1-T-2-F,1,20,6,3,2,1\n");
+  Dataset all = all_of(data);
+  Workers workers(1);
+  const std::vector<Lever> all_levers = levers(all, {}, forecast(all, {}), workers);
+  const auto has = [&](const std::string& site) {
+    return lever_of(all_levers, causes::Target::exponent, site) != nullptr;
+  };
+  EXPECT_TRUE(has("sheath"));
+  EXPECT_FALSE(has("sheath 1 of M-1-T-2-F"));
+  EXPECT_TRUE(has("tube"));
+  EXPECT_TRUE(has("tube of finger 1"));
+  EXPECT_FALSE(has("tube 1 of M-1-T-2-F"));
 }
 
 // 0.3 ln(T / 8), from 2 N to 32 N.
