@@ -96,8 +96,7 @@ class SiteReader {
   }
 
   // Cuts a text off at the mark and returns what stands behind it; "" if there is no mark.
-  static std::string_view split_off(std::string_view& text, std::size_t at,
-                                    std::string_view mark) {
+  static std::string_view split_off(std::string_view& text, std::size_t at, std::string_view mark) {
     if (at == std::string_view::npos) return "";
     const std::string_view name = text.substr(at + mark.size());
     text = text.substr(0, at);

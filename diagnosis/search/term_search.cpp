@@ -11,6 +11,7 @@
 
 #include "causes/term.hpp"
 #include "diagnosis/search/defence.hpp"
+#include "diagnosis/search/law_reference.hpp"
 
 namespace reeve::diagnosis {
 namespace {
@@ -73,12 +74,8 @@ class Searching {
   }
 
   Explanation take() {
-    result_.accepted = search_.accepted;
-    result_.model = search_.now.model;
-    result_.problem = search_.now.likelihood.problem;
-    result_.scatter = fitted_scatter(search_.shape, search_.now.likelihood);
-    result_.calibrations =
-        calibrations(result_.problem, result_.model, result_.mounting_degrees(), alpha_);
+    record();
+    if (put_laws_on_the_hardware()) record();
     result_.instead.resize(result_.calibrations.size());
     return std::move(result_);
   }
@@ -235,6 +232,44 @@ class Searching {
     } else {
       accepted().back() = own;
     }
+  }
+
+  void record() {
+    result_.accepted = search_.accepted;
+    result_.model = search_.now.model;
+    result_.problem = search_.now.likelihood.problem;
+    result_.scatter = fitted_scatter(search_.shape, search_.now.likelihood);
+    result_.calibrations =
+        calibrations(result_.problem, result_.model, result_.mounting_degrees(), alpha_);
+  }
+
+  // A coefficient that differs and a law of the same contacts are one law of the hardware's own.
+  bool put_laws_on_the_hardware() {
+    bool changed = false;
+    for (const Calibration& coefficient : result_.calibrations) {
+      for (AcceptedTerm& term : accepted()) {
+        const Term* law = term_of(*term.effect.cause);
+        if (!coefficient.differs || law == nullptr || !is_law_of(*law, coefficient.effect))
+          continue;
+        changed |= put_on_the_hardware(term, coefficient.effect);
+      }
+    }
+    return changed;
+  }
+
+  bool put_on_the_hardware(AcceptedTerm& term, const Effect& coefficient) {
+    Model model = search_.now.model;
+    Effect& own = model.effects[place(model, coefficient)];
+    Effect& law = model.effects[place(model, term.effect)];
+    const double nominal = *coefficient.cause->parameters(model.hardware).front().nominal;
+    const auto of_hardware = law_from(nominal, own.values.front(), law);
+    if (!of_hardware) return false;
+    own.values.front() = nominal;
+    law = term.effect = *of_hardware;
+    for (Alternative& other : term.alternatives) other.instead_of = {term.effect};
+    ++term.parameters;  // x0
+    search_.settle(model);
+    return true;
   }
 
   // Parts that were accepted one after the other, each beside fewer terms, may be one law: of the

@@ -113,6 +113,18 @@ TEST(TermSearch, FindsAWaveOfOneContact) {
   EXPECT_NEAR(law.effect.values[2], 20, 0.5);
 }
 
+// Tubes are as the hardware says at 30 %, and drawn at 20 to 80 %.
+TEST(TermSearch, SaysWhereTheHardwareIsRightBesideALaw) {
+  const DiagnosisResult result = diagnosed(readings([](const Row& row, int strand) {
+    return std::exp(-phi_tube * strand * 0.01 * (row.humidity_pct - 30));
+  }));
+  ASSERT_EQ(result.causes.size(), 1U);
+  const NamedCause& law = result.causes.front();
+  EXPECT_EQ(law.name, "law[exponent of tube, humidity_pct, linear]");
+  EXPECT_NEAR(law.effect.values.front(), 0.01, 0.001);
+  EXPECT_NEAR(term_of(*law.effect.cause)->x.middle, 30, 1.5);
+}
+
 TEST(TermSearch, FindsALawOfOneGroup) {
   MeasuredData data = read_data(readings([](const Row& row, int strand) {
     return row.run % 2 == 1 && strand == 2 ? 1 + 0.2 * (row.supply_V - 5) : 1;
