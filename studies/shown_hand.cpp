@@ -70,10 +70,7 @@ bool passes(const Network& network, const TendonSpan& tendon, int finger) {
 }
 
 // True if each tendon that blocks the carriage has a spring, whose stretch would let it go on.
-bool is_blocked_at_springs(const Network& network, const Mechanics& mechanics,
-                           const TendonParts& tendons, const Grasp& grasp) {
-  Motion motion;
-  Kinematics().solve(network, mechanics, grasp, Direction::pull, motion);
+bool is_blocked_at_springs(const TendonParts& tendons, const Motion& motion) {
   const auto has_spring = [&](std::size_t tendon) {
     return std::ranges::any_of(tendons.own, [&](const TendonHardware& own) {
       return own.stiffness_N_mm && static_cast<std::size_t>(own.tendon) == tendon + 1;
@@ -103,13 +100,15 @@ NoPull no_pull(const Network& network, const Mechanics& mechanics, const TendonP
   }
   if (all_locked) return NoPull::ends_locked;
   if (all_still) return NoPull::ends_stand_still;
-  if (taut_share(network, *own, mechanics, grasp) == 0) return NoPull::still_slack;
   const bool has_extensor = std::ranges::any_of(network.segments, [&](const Segment& segment) {
     return segment.kind == SegmentKind::strand && segment.finger == finger && segment.way() < 0;
   });
   if (has_extensor) return NoPull::opposed;
-  return is_blocked_at_springs(network, mechanics, tendons, grasp) ? NoPull::blocked_at_springs
-                                                                   : NoPull::blocked;
+  Motion motion;
+  Kinematics().solve(network, mechanics, grasp, Direction::pull, motion);
+  const auto at = static_cast<std::size_t>(own - network.tendons.begin());
+  if (motion.is_slack(at)) return NoPull::still_slack;
+  return is_blocked_at_springs(tendons, motion) ? NoPull::blocked_at_springs : NoPull::blocked;
 }
 
 // Springs in series lengthen all strokes, or none.

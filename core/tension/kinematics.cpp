@@ -133,6 +133,17 @@ void leave_slack(const TendonSpan& tendon, Motion& motion) {
   clear(motion.slip, tendon.first_contact, tendon.contacts);
 }
 
+void mark_slack(const Network& network, std::size_t tendon, Motion& motion) {
+  motion.slack.resize(network.tendons.size(), 0);
+  motion.slack[tendon] = 1;
+}
+
+bool some_end_moves(const Network& network, const Mechanics& mechanics, const Grasp& grasp) {
+  return std::any_of(network.tendons.begin(), network.tendons.end(), [&](const TendonSpan& tendon) {
+    return tally(network, tendon, mechanics, grasp).is_driven;
+  });
+}
+
 // True if every end at a motor travels D, none of them behind slack.
 bool ends_move_alike(const Network& network, const Mechanics& mechanics, const Grasp& grasp) {
   if (!mechanics.slack_mm.empty()) return false;
@@ -223,6 +234,11 @@ void Kinematics::solve_tree(const Network& network, const Mechanics& mechanics, 
     const TendonSpan& tendon = network.tendons[t];
     if (tendon.tree != tree) continue;
     has_motor_side |= tally(network, tendon, mechanics, grasp).has_motor_side;
+    if (!moves.slack.empty() && moves.slack[t] != 0) {
+      mark_slack(network, t, motion);
+      leave_slack(tendon, motion);
+      continue;
+    }
     if (moves.moves()) {
       impose_travel(network, mechanics, tendon, grasp, direction, found, motion);
     } else {
@@ -273,10 +289,7 @@ void Kinematics::solve_tendon(const Network& network, const Mechanics& mechanics
                               Motion& motion) {
   const TendonSpan& tendon = network.tendons[t];
   const TendonTally sums = tally(network, tendon, mechanics, grasp);
-  if (sums.taut == 0 || (sums.has_motor_side && !sums.is_driven)) {
-    motion.slack.resize(network.tendons.size(), 0);
-    motion.slack[t] = 1;
-  }
+  if (sums.taut == 0 || (sums.has_motor_side && !sums.is_driven)) mark_slack(network, t, motion);
   if (sums.taut == 0) {
     leave_slack(tendon, motion);
     return;
@@ -330,8 +343,9 @@ void Kinematics::solve(const Network& network, const Mechanics& mechanics, Grasp
   if (blocked) stop_everything(motion);
   if (!motion.slack.empty() &&
       std::find(motion.slack.begin(), motion.slack.end(), 0) == motion.slack.end()) {
-    motion.fault =
-        mechanics.slack_mm.empty() ? TensionFault::nothing_pulls : TensionFault::slack_remains;
+    motion.fault = mechanics.slack_mm.empty() && !some_end_moves(network, mechanics, grasp)
+                       ? TensionFault::nothing_pulls
+                       : TensionFault::slack_remains;
   }
 }
 

@@ -101,7 +101,7 @@ class SharedClosing {
         greatest = std::max(greatest, move(tree, state));
         found_.fault = state.fault;
         if (state.fault != TensionFault::none) return false;
-        if (state.slack) mark(tree, found_.slack);
+        for (std::size_t t = 0; t < state.slack.size(); ++t) found_.slack[t] |= state.slack[t];
         if (state.jams) mark(tree, found_.jams);
         blocked |= state.jams;
       }

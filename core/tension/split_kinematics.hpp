@@ -16,8 +16,7 @@
 // Where blocks tie tendons together, a tendon also gives z to its tails' blocks and takes it from
 // the blocks that it passes (tree_kinematics.hpp), z free: on the left of the constraint stands
 // Σ dl_f + Σ tails z − 2 Σ passes z − Σ beckets z. A tendon is slack if its multiplier is 0. Solved
-// by active sets: with all constraints tight, those with negative multipliers are let go, and those
-// that are then violated are taken back.
+// as least_motion.hpp says.
 #pragma once
 
 #include <vector>

@@ -13,8 +13,6 @@ const char* words_of(TensionFault fault) {
       return "blocks are free to move against each other";
     case TensionFault::finger_opens:
       return "a finger would have to open";
-    case TensionFault::jams_while_let_out:
-      return "tendons that blocks join jam while a carriage lets out";
     case TensionFault::ends_unlike_at_seizure:
       return "beside a seized contact every end at a motor has to travel alike, without slack";
     case TensionFault::beside_second_tendon:

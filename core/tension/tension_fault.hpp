@@ -12,7 +12,6 @@ enum class TensionFault : std::uint8_t {
   no_motor,                // a tendon or a tree of tendons hangs on no motor (require_actuated)
   blocks_free,             // blocks can move against each other
   finger_opens,            // the motion asks a finger to open
-  jams_while_let_out,      // tendons that a tree then leaves slack are not found
   ends_unlike_at_seizure,  // ends at motors do not all travel D, beside a seized contact
   beside_second_tendon,    // seized contacts or slack, and a finger that trees share
   uneven_sharing,          // closings of a tree that shares fingers are not all in one ratio

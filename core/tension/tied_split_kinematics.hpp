@@ -1,5 +1,5 @@
 // Computes the closing of fingers and the travel of blocks if contacts are seized and blocks tie
-// tendons together, by the active sets of split_kinematics.hpp.
+// tendons together, as split_kinematics.hpp says.
 #pragma once
 
 #include "core/tension/split_kinematics.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/tension/least_motion.hpp"
 #include "numerics/matrices.hpp"
 
 namespace reeve::core {
@@ -109,13 +110,10 @@ struct CommonClosing {
   }
 };
 
-constexpr TreeState moves{};
-constexpr TreeState jams{.jams = true};
-
 TreeState undetermined(TensionFault fault) { return {.fault = fault}; }
 
 struct TreeMotion {
-  TreeState state = jams;
+  TreeState state{.jams = true};
   std::vector<double> blocks;    // travels, by column
   std::vector<double> closings;  // closings of fingers 1 … n
 };
@@ -155,7 +153,7 @@ TreeMotion nearly_common_closing(const Network& network, const Mechanics& mechan
   const double miss = (tendons * x - right.tail(n)).cwiseAbs().maxCoeff();
   if (!(miss < length_tolerance)) return {};
   const bool unique = column_rank(tendons.leftCols(m)) == m;
-  return {unique ? moves : undetermined(TensionFault::blocks_free),
+  return {unique ? TreeState{} : undetermined(TensionFault::blocks_free),
           {x.data(), x.data() + m},
           {x.data() + m, x.data() + common}};
 }
@@ -182,26 +180,26 @@ TreeState write_closings(const Network& network, Grasp grasp, std::size_t tree,
           way_of(network, tree, segment.finger) * std::max(dl, 0.0);
     }
   }
-  return moves;
+  return {};
 }
 
 template <int Most>
-TreeState solve_with(const Network& network, const Mechanics& mechanics, Grasp grasp,
-                     std::size_t tree, const std::vector<double>& given, const TreeColumns& columns,
-                     std::vector<double>& closing, std::vector<double>& block_travel) {
-  const CommonClosing<Most> common(network, mechanics, grasp, tree, given, columns);
-  if (common.stands_still(network)) return {.jams = common.drives, .slack = common.has_room};
-  if (common.exact) {
-    if (!common.unique) return undetermined(TensionFault::blocks_free);
-    if (network.shared && common.closing < -length_tolerance) return {.slack = true};
-    write_blocks(columns, common.blocks.data(), block_travel);
-    const auto shared = [&](int finger) {
-      return common.closing * closing_weight(mechanics, finger);
-    };
-    return write_closings(network, grasp, tree, shared, closing);
-  }
+TreeState write_common(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                       std::size_t tree, const TreeColumns& columns,
+                       const CommonClosing<Most>& common, std::vector<double>& closing,
+                       std::vector<double>& block_travel) {
+  if (!common.unique) return undetermined(TensionFault::blocks_free);
+  write_blocks(columns, common.blocks.data(), block_travel);
+  const auto shared = [&](int finger) {
+    return common.closing * closing_weight(mechanics, finger);
+  };
+  return write_closings(network, grasp, tree, shared, closing);
+}
+
+TreeState write_nearly_common(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                              std::size_t tree, const TreeColumns& columns,
+                              std::vector<double>& closing, std::vector<double>& block_travel) {
   const TreeMotion nearly = nearly_common_closing(network, mechanics, grasp, tree, columns);
-  if (nearly.state.jams && common.lets_out) return undetermined(TensionFault::jams_while_let_out);
   if (!nearly.state.moves()) return nearly.state;
   if (network.shared) return undetermined(TensionFault::uneven_sharing);
   write_blocks(columns, nearly.blocks.data(), block_travel);
@@ -209,6 +207,160 @@ TreeState solve_with(const Network& network, const Mechanics& mechanics, Grasp g
     return nearly.closings[static_cast<std::size_t>(finger) - 1];
   };
   return write_closings(network, grasp, tree, found, closing);
+}
+
+std::vector<char> tendons_of(const Network& network, std::size_t tree) {
+  std::vector<char> own;
+  own.reserve(network.tendons.size());
+  for (const TendonSpan& tendon : network.tendons) own.push_back(tendon.tree == tree ? 1 : 0);
+  return own;
+}
+
+// A network in which the slack tendons belong to no tree.
+Network without(const std::vector<char>& slack, Network network) {
+  for (std::size_t t = 0; t < slack.size(); ++t) {
+    if (slack[t] != 0) network.tendons[t].tree = network.tendons.size();
+  }
+  return network;
+}
+
+// What the taut tendons of a tree leave to the slack ones: their lengths beyond the motion of
+// fingers and blocks on taut tendons, in terms of the other blocks and of a common dl of the other
+// fingers.
+class SlackPart {
+ public:
+  SlackPart(const Network& network, const Mechanics& mechanics, const Grasp& grasp,
+            std::size_t tree, const std::vector<double>& given, const Network& taut)
+      : network_(network),
+        mechanics_(mechanics),
+        grasp_(grasp),
+        tree_(tree),
+        given_(given),
+        columns_(network, tree),
+        taut_columns_(taut, tree),
+        moved_(static_cast<std::size_t>(network.fingers), false) {
+    for (const TendonSpan& tendon : taut.tendons) {
+      if (tendon.tree != tree) continue;
+      for_each_term(
+          network, mechanics, tendon, grasp, [](double) {},
+          [&](int finger, double) { moved_[static_cast<std::size_t>(finger) - 1] = true; },
+          [](std::size_t, double) {});
+    }
+  }
+
+  LeastMotion least(const std::vector<char>& slack, const std::vector<double>& closing,
+                    const std::vector<double>& block_travel) const {
+    const Eigen::Index unknowns = columns_.blocks + 1;
+    const auto rows = static_cast<Eigen::Index>(slack.size());
+    LengthBounds bounds{Eigen::MatrixXd::Zero(rows, unknowns), Eigen::VectorXd::Zero(rows),
+                        Eigen::VectorXd::Unit(unknowns, columns_.blocks)};
+    for (std::size_t t = 0; t < slack.size(); ++t) {
+      if (slack[t] != 0) add(t, closing, block_travel, bounds);
+    }
+    return least_motion(bounds);
+  }
+
+  void write_free_blocks(const LeastMotion& least, std::vector<double>& block_travel) const {
+    for (std::size_t block = 0; block < block_travel.size(); ++block) {
+      if (columns_.of_block[block] >= 0 && taut_columns_.of_block[block] < 0) {
+        block_travel[block] = least.x(columns_.of_block[block]);
+      }
+    }
+  }
+
+ private:
+  void add(std::size_t tendon, const std::vector<double>& closing,
+           const std::vector<double>& block_travel, LengthBounds& bounds) const {
+    const auto row = static_cast<Eigen::Index>(tendon);
+    double& motor = bounds.motor(row);
+    for_each_term(
+        network_, mechanics_, network_.tendons[tendon], grasp_,
+        [&](double length) { motor += length; },
+        [&](int finger, double factor) {
+          const auto f = static_cast<std::size_t>(finger) - 1;
+          if (!given_.empty()) motor -= factor * given_[f];
+          if (moved_[f]) {
+            motor -= factor * closing[f];
+          } else {
+            bounds.give(row, columns_.blocks) +=
+                factor * way_of(network_, tree_, finger) * closing_weight(mechanics_, finger);
+          }
+        },
+        [&](std::size_t block, double factor) {
+          if (taut_columns_.of_block[block] >= 0) {
+            motor += factor * block_travel[block];
+          } else {
+            bounds.give(row, columns_.of_block[block]) -= factor;
+          }
+        });
+  }
+
+  const Network& network_;
+  const Mechanics& mechanics_;
+  const Grasp& grasp_;
+  std::size_t tree_;
+  const std::vector<double>& given_;
+  TreeColumns columns_;
+  TreeColumns taut_columns_;
+  std::vector<bool> moved_;
+};
+
+// Closes the fingers if not all tendons can be taut at one common dl. Each round finds those of the
+// slack tendons that the others' motion would leave too short. `opens`: carriages only let out what
+// fingers would have to take up.
+TreeState solve_with_slack(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                           std::size_t tree, const std::vector<double>& given, bool opens,
+                           std::vector<double>& closing, std::vector<double>& block_travel) {
+  const std::vector<char> own = tendons_of(network, tree);
+  std::vector<char> slack = own;
+  write_closings(
+      network, grasp, tree, [](int) { return 0.0; }, closing);
+  while (true) {
+    const Network taut = without(slack, network);
+    const TreeColumns columns(taut, tree);
+    if (columns.tendons > 0) {
+      const CommonClosing<Eigen::Dynamic> common(taut, mechanics, grasp, tree, given, columns);
+      const TreeState state =
+          common.exact
+              ? write_common(taut, mechanics, grasp, tree, columns, common, closing, block_travel)
+              : write_nearly_common(taut, mechanics, grasp, tree, columns, closing, block_travel);
+      if (!state.moves()) return state;
+    }
+    const SlackPart part(network, mechanics, grasp, tree, given, taut);
+    const LeastMotion least = part.least(slack, closing, block_travel);
+    if (!least.met && slack == own) return {.jams = true};
+    bool all_fit = true;
+    for (std::size_t t = 0; t < slack.size(); ++t) {
+      if (slack[t] == 0 || (least.met && !least.pulls(static_cast<Eigen::Index>(t)))) continue;
+      slack[t] = 0;
+      all_fit = false;
+    }
+    if (!all_fit) continue;
+    part.write_free_blocks(least, block_travel);
+    if (opens && slack == own) return undetermined(TensionFault::finger_opens);
+    return {.slack = slack};
+  }
+}
+
+template <int Most>
+TreeState solve_with(const Network& network, const Mechanics& mechanics, Grasp grasp,
+                     std::size_t tree, const std::vector<double>& given, const TreeColumns& columns,
+                     std::vector<double>& closing, std::vector<double>& block_travel) {
+  const CommonClosing<Most> common(network, mechanics, grasp, tree, given, columns);
+  if (common.stands_still(network)) {
+    if (common.has_room) return {.slack = tendons_of(network, tree)};
+    return {.jams = common.drives};
+  }
+  if (common.exact) {
+    if (network.shared && common.unique && common.closing < -length_tolerance) {
+      return {.slack = tendons_of(network, tree)};
+    }
+    const TreeState state =
+        write_common(network, mechanics, grasp, tree, columns, common, closing, block_travel);
+    if (state.fault != TensionFault::finger_opens) return state;
+  }
+  const bool opens = common.closes && !common.drives && !network.shared;
+  return solve_with_slack(network, mechanics, grasp, tree, given, opens, closing, block_travel);
 }
 
 // λ is what is at right angles to every block's take-ups.
@@ -245,6 +397,7 @@ bool balanced_ratios(const Network& network, const Mechanics& mechanics, std::si
     ++row;
   }
   if (std::abs(motor) < length_tolerance) return false;
+  if ((balance / motor).minCoeff() < -length_tolerance) return false;
   for (double& ratio : ratios) {
     ratio /= motor;
     if (std::abs(ratio) < length_tolerance) ratio = 0;

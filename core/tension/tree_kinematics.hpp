@@ -11,10 +11,13 @@
 // the ratio of the tensions; behind a bar the tendon's equation goes on with weight b / a.
 //
 // In a tree of two tendons a block these are as many equations as unknowns (dl and each z). Where a
-// block ties more tendons together they can ask for different closings: these are then as equal as
-// the tendons let them, minimising Σ_f (dl_f − w_f dl)² / w_f. If that cannot be met either, or
-// nothing yields (no finger closes, and no carriage lets out), the tree jams. A held branch is no
-// jam: its block stands still.
+// block ties more tendons together they can ask for different closings. A tendon can only pull, so
+// that then some may be slack: the right side may be greater than the left one. Taut are those that
+// the least common dl needs (least_motion.hpp), and those that its closings would leave too short.
+// Fingers on slack tendons alone do not close, and the closings of the others are as equal as the
+// taut tendons let them, minimising Σ_f (dl_f − w_f dl)² / w_f. If no dl leaves every tendon long
+// enough, or nothing yields (no finger closes, and no carriage lets out), the tree jams. A held
+// branch is no jam: its block stands still.
 #pragma once
 
 #include <vector>
@@ -29,7 +32,7 @@ namespace reeve::core {
 struct TreeState {
   bool jams = false;
   TensionFault fault = TensionFault::none;  // that of one tree
-  bool slack = false;  // other trees close its fingers by more than it asks for
+  std::vector<char> slack = {};             // one for each tendon of the network; empty if none is
 
   bool moves() const { return !jams && fault == TensionFault::none; }
 };
@@ -104,11 +107,11 @@ void for_each_term(const Network& network, const Mechanics& mechanics, const Ten
 }
 
 // Writes the travel ratios r_f of fingers 1 … n, 0 for those of other trees. Returns false if the
-// tendons do not settle every block's motion for themselves, or if some r_f < 0. Tendons settle it
-// if there is one block less than tendons, all independent. They are then in balance without
-// friction at tensions λ alone. A common dl follows from the work of these: dl = 1 / Σ_f r_f over
-// the fingers that close, r_f = w_f λ·c_f / λ·m. Here c_f and m are a dl of finger f and the motor
-// sides in each tendon's equation.
+// tendons do not settle every block's motion for themselves, or if some λ or r_f < 0. Tendons
+// settle it if there is one block less than tendons, all independent. They are then in balance
+// without friction at tensions λ alone. A common dl follows from the work of these: dl = 1 / Σ_f
+// r_f over the fingers that close, r_f = w_f λ·c_f / λ·m. Here c_f and m are a dl of finger f and
+// the motor sides in each tendon's equation.
 bool travel_ratios(const Network& network, const Mechanics& mechanics, std::size_t tree,
                    std::vector<double>& ratios);
 

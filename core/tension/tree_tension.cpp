@@ -183,7 +183,7 @@ void TreeTension::solve_linear() {
     }
   });
   scale_ = m > 0 ? travel.cwiseAbs().maxCoeff() : 0;
-  for (const Cell& cell : cells_) scale_ = std::max(scale_, cell.take_up);
+  for (const Cell& cell : cells_) scale_ = std::max(scale_, std::abs(cell.take_up));
   for (Eigen::Index b = 0; b < m; ++b) travel_[in_tree_[static_cast<std::size_t>(b)]] = travel(b);
 }
 

@@ -1,6 +1,7 @@
 // Tensions of tendons that blocks tie together, with given slip directions.
 //
-// Segment i has length L_i (compliance, at EA = 1) and take-up E_i >= 0. With s_k the slip of the
+// Segment i has length L_i (compliance, at EA = 1) and take-up E_i, below 0 only where a carriage
+// lets out in a jam. With s_k the slip of the
 // contacts that do not slide at order one, and z_b the blocks' order-epsilon travel,
 //
 //   L_i T_i = E_i + s_right − s_left + z of a pass, an arm or a becket − z of a tail

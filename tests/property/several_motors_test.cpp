@@ -129,8 +129,9 @@ struct SeenMotors {
   int turns = 0;         // … and no finger closes
   int stands_still = 0;  // a carriage
   int refused = 0;
-  int opposed = 0;   // tendons that share fingers
-  int unsolved = 0;  // by the library alone
+  int opposed = 0;    // tendons that share fingers
+  int unsolved = 0;   // by the library alone
+  int unchecked = 0;  // by the reference alone
 };
 
 bool lets_out(const MotorTrial& trial) {
@@ -166,15 +167,22 @@ void compare(const MotorTrial& trial, SeenMotors& seen) {
       const ReferenceResult found = reference();
       const bool pulls = std::any_of(found.tension.begin(), found.tension.end(),
                                      [](const auto& tension) { return tension.second > 0; });
-      const bool jams_in_a_tree = found.jams && !network.blocks.empty() && lets_out(trial);
-      ++(pulls && !jams_in_a_tree ? seen.unsolved : seen.refused);
+      ++(pulls ? seen.unsolved : seen.refused);
     } catch (const std::exception&) {  // or no state meets the conditions of either
       ++seen.refused;
     }
     return;
   }
   const testing::ComparisonTolerance tight{1e-9, 1e-15, 1e-9};
-  const ReferenceResult expected = reference();
+  ReferenceResult expected;
+  try {
+    expected = reference();
+  } catch (const std::logic_error&) {
+    // Of jams it finds no state if carriages let out as much as others pull.
+    if (!state.jams || network.blocks.empty() || !lets_out(trial)) throw;
+    ++seen.unchecked;
+    return;
+  }
   seen.opposed += expected.opposed;
   EXPECT_EQ(expected.jams, state.jams);
   if (!expected.opposed) {
@@ -192,6 +200,7 @@ void expect_all_seen(const SeenMotors& seen, int trials) {
   EXPECT_GT(seen.turns, 5);
   EXPECT_GT(seen.solved, trials / 2);
   EXPECT_EQ(seen.unsolved, 0);
+  EXPECT_LT(seen.unchecked, trials / 500);
 }
 
 template <typename NextRouting>

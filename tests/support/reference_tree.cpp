@@ -184,8 +184,17 @@ void impose_motion(const Motion& found, ReferenceDirection direction, Tree& tree
     const auto finger = tree.closing.find(tree.finger[static_cast<std::size_t>(i)]);
     if (finger != tree.closing.end()) tree.give(i) = tree.strand(i) * finger->second;
   }
-  tree.elastic = (sign * (tree.give - tree.motor)).cwiseMax(0);
-  set_slips(sign * (tree.motor + tree.hangs * found.z - tree.give), tree);
+  tree.slack = found.slack;
+  Vector imposed = sign * (tree.give - tree.motor);
+  Vector gap =
+      tree.hangs.cols() > 0 ? Vector(sign * tree.hangs * found.z - imposed) : Vector(-imposed);
+  for (std::size_t t = 0; t < tree.slack.size(); ++t) {
+    if (!tree.slack[t]) continue;
+    imposed.segment(tree.spans[t].segment, tree.spans[t].segments).setZero();
+    gap.segment(tree.spans[t].segment, tree.spans[t].segments).setZero();
+  }
+  tree.elastic = imposed.cwiseMax(0);
+  set_slips(gap, tree);
 }
 
 std::map<int, Real> closing_weights(const Tree& tree, const std::set<int>& held,

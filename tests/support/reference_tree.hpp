@@ -48,6 +48,7 @@ struct Tree {
   Matrix hangs;                  // C: a row for each segment, a column for each block
   std::map<int, Real> closing;   // dl of the fingers that close; empty if the tree jams
   bool jams = false;
+  std::vector<bool> slack{};  // of each span, by the kinematics; empty if none is
 };
 
 // One for each set of tendons that blocks join, with the motion of the grasp imposed. Throws

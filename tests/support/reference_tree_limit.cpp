@@ -117,6 +117,12 @@ std::optional<Vector> with_slack(const Tree& tree, const std::vector<bool>& slac
 }  // namespace
 
 Vector tree_tensions(const Tree& tree) {
+  if (!tree.slack.empty()) {
+    const Part part = part_without(tree, tree.slack);
+    Vector tension = Vector::Zero(tree.length.size());
+    tension(part.segments) = tree_tensions(part.tree);
+    return tension;
+  }
   if (const auto found = taut(tree)) return found->tension;
   const std::size_t tendons = tree.spans.size();
   for (std::size_t count = 1; count < tendons; ++count) {
