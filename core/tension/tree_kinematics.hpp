@@ -11,10 +11,10 @@
 // the ratio of the tensions; behind a bar the tendon's equation goes on with weight b / a.
 //
 // In a tree of two tendons a block these are as many equations as unknowns (dl and each z). Where a
-// block ties more tendons together they can ask for different closings. A tendon can only pull, so
-// that then some may be slack: the right side may be greater than the left one. Taut are those that
-// the least common dl needs (least_motion.hpp), and those that its closings would leave too short.
-// Fingers on slack tendons alone do not close, and the closings of the others are as equal as the
+// block ties more tendons together they can ask for different closings. As a tendon can only pull,
+// some may then be slack: the right side is greater than the left one. Taut are those that the
+// least common dl needs (least_motion.hpp), and those that its motion would leave too short.
+// Fingers on slack tendons alone do not close. The closings of the others are as equal as the
 // taut tendons let them, minimising Σ_f (dl_f − w_f dl)² / w_f. If no dl leaves every tendon long
 // enough, or nothing yields (no finger closes, and no carriage lets out), the tree jams. A held
 // branch is no jam: its block stands still.

@@ -101,6 +101,8 @@ TEST(HandSections, SayWhyAFingerGetsNoPull) {
   hardware.tendon = {.travel_mm = 20, .own = {{.tendon = 1, .slack_mm = 20}}};
   EXPECT_EQ(why_no_force("1x-M+2x-M", "none", hardware),
             since("none", "its tendon is still slack after the whole carriage travel"));
+  EXPECT_EQ(why_no_force("2x-W1-3x+W1-M+W1-1x", "none", hardware_of(60, 3)),
+            since("none", "its tendon is still slack after the whole carriage travel"));
 }
 
 TEST(HandJson, NamesTheLockedEndsAndTravelsOfItsGrasps) {
