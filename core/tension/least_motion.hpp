@@ -13,6 +13,8 @@
 
 #include <Eigen/Core>
 
+#include "numerics/floors.hpp"
+
 namespace reeve::core {
 
 struct LengthBounds {
