@@ -224,7 +224,7 @@ Network without(const std::vector<char>& slack, Network network) {
   return network;
 }
 
-// What the taut tendons of a tree leave to the slack ones: their lengths beyond the motion of
+// Bounds of the slack tendons beside the taut ones of a tree: their lengths beyond the motion of
 // fingers and blocks on taut tendons, in terms of the other blocks and of a common dl of the other
 // fingers.
 class SlackPart {
@@ -320,7 +320,7 @@ TreeState solve_with_slack(const Network& network, const Mechanics& mechanics, G
     const TreeColumns columns(taut, tree);
     if (columns.tendons > 0) {
       const CommonClosing<Eigen::Dynamic> common(taut, mechanics, grasp, tree, given, columns);
-      const TreeState state =
+      TreeState state =
           common.exact
               ? write_common(taut, mechanics, grasp, tree, columns, common, closing, block_travel)
               : write_nearly_common(taut, mechanics, grasp, tree, columns, closing, block_travel);
@@ -355,7 +355,7 @@ TreeState solve_with(const Network& network, const Mechanics& mechanics, Grasp g
     if (network.shared && common.unique && common.closing < -length_tolerance) {
       return {.slack = tendons_of(network, tree)};
     }
-    const TreeState state =
+    TreeState state =
         write_common(network, mechanics, grasp, tree, columns, common, closing, block_travel);
     if (state.fault != TensionFault::finger_opens) return state;
   }

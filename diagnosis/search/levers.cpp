@@ -299,7 +299,8 @@ class LeversOf {
     });
   }
 
-  // What acts on the whole rig, in one group of readings by itself: nothing says what others do.
+  // Levers of the whole rig also act in one group of readings by itself: nothing says what others
+  // do.
   void add_in_groups() {
     const std::vector<std::string>& groups = dataset_.data->groups;
     const std::size_t of_all = levers_.size();

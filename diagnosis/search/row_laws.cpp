@@ -57,7 +57,7 @@ std::optional<RowCovariate> row_covariate(Covariate covariate, const Dataset& da
   covariate.middle = values[values.size() / 2];
   covariate.seen = {values.front(), values.back()};
   values.erase(std::unique(values.begin(), values.end()), values.end());
-  // Of two states, such as 0 and 1 for oiled, the first is as the hardware says.
+  // The first of two states, such as 0 and 1 for oiled, is as the hardware says.
   if (values.size() == 2) covariate.middle = values.front();
   for (const Index r : missing) by_row[r] = covariate.middle;
   const bool is_motor = covariate.kind == CovariateKind::motor;

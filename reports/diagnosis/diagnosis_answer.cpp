@@ -228,7 +228,7 @@ std::string size_of(const DiagnosisReport& report, const Unexplained& left) {
     return causes::formula(*causes::term_of(*effect.cause), effect.values) + "; ";
   }
   for (const StructureFinding& finding : report.result.structure) {
-    if (finding.about != left.about) continue;
+    if (finding.about != left.about || !(structure_N(report, finding) > 0)) continue;
     return part_of_residuals(report, structure_N(report, finding)) + "; ";
   }
   return "";

@@ -178,7 +178,7 @@ void compare(const MotorTrial& trial, SeenMotors& seen) {
   try {
     expected = reference();
   } catch (const std::logic_error&) {
-    // Of jams it finds no state if carriages let out as much as others pull.
+    // It finds no state of jams in which carriages let out as much as others pull.
     if (!state.jams || network.blocks.empty() || !lets_out(trial)) throw;
     ++seen.unchecked;
     return;
