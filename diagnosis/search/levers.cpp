@@ -199,10 +199,6 @@ class LeversOf {
   }
 
   void add_contacts() {
-    if (most_of_a_kind(dataset_, ContactKind::tube) > 0 &&
-        most_of_a_kind(dataset_, ContactKind::sheath) > 0) {
-      add_in_directions({.with_sheaths = true}, Breadth::whole, &LeversOf::add_at_contacts);
-    }
     for (const ContactKind kind : site_kinds) {
       if (most_of_a_kind(dataset_, kind) == 0) continue;
       add_in_directions({.kind = kind}, Breadth::whole, &LeversOf::add_at_contacts);
@@ -244,6 +240,11 @@ class LeversOf {
       for (const auto& [word, number] : numbered) {
         add_at_contacts({.kind = kind, .routing = word, .number = number}, Breadth::one);
       }
+    }
+    // Behind both kinds: where no reading tells of tubes, these are sheaths alone.
+    if (most_of_a_kind(dataset_, ContactKind::tube) > 0 &&
+        most_of_a_kind(dataset_, ContactKind::sheath) > 0) {
+      add_in_directions({.with_sheaths = true}, Breadth::whole, &LeversOf::add_at_contacts);
     }
   }
 

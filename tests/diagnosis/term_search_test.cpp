@@ -590,6 +590,18 @@ TEST(Levers, OfTheSameContactsAreOne) {
   EXPECT_FALSE(has("tube 1 of M-1-T-2-F"));
 }
 
+// The first strand lies before all tubes.
+TEST(Levers, OfTubesAndSheathsAreOfSheathsWhereNoTubeIsSeen) {
+  const MeasuredData data = read_data(
+      "run,routing,held,motor_tension_N,T1_N\n"
+      "a,M-1-T-2-F,1,20,6\n");
+  Dataset all = all_of(data);
+  Workers workers(1);
+  const std::vector<Lever> all_levers = levers(all, {}, forecast(all, {}), workers);
+  EXPECT_NE(lever_of(all_levers, causes::Target::force, "sheath"), nullptr);
+  EXPECT_EQ(lever_of(all_levers, causes::Target::force, "tube and sheath"), nullptr);
+}
+
 // 0.3 ln(T / 8), from 2 N to 32 N.
 Effect log_force_of_tubes() {
   Term term;
