@@ -572,14 +572,18 @@ TEST(Levers, AreTheDerivativesOfTheEquations) {
   }
 }
 
+std::vector<Lever> levers_of(const std::string& text) {
+  const MeasuredData data = read_data(text);
+  const Dataset all = all_of(data);
+  Workers workers(1);
+  return levers(all, {}, forecast(all, {}), workers);
+}
+
 // The hand has one sheath, and three tubes of which one is in no finger.
 TEST(Levers, OfTheSameContactsAreOne) {
-  const MeasuredData data = read_data(
+  const std::vector<Lever> all_levers = levers_of(
       "run,routing,held,motor_tension_N,T1_N,T2_N,T3_N,T4_N\n"
       "a,M-1-T-2-F,1,20,6,3,2,1\n");
-  Dataset all = all_of(data);
-  Workers workers(1);
-  const std::vector<Lever> all_levers = levers(all, {}, forecast(all, {}), workers);
   const auto has = [&](const std::string& site) {
     return lever_of(all_levers, causes::Target::exponent, site) != nullptr;
   };
@@ -592,12 +596,9 @@ TEST(Levers, OfTheSameContactsAreOne) {
 
 // The first strand lies before all tubes.
 TEST(Levers, OfTubesAndSheathsAreOfSheathsWhereNoTubeIsSeen) {
-  const MeasuredData data = read_data(
+  const std::vector<Lever> all_levers = levers_of(
       "run,routing,held,motor_tension_N,T1_N\n"
       "a,M-1-T-2-F,1,20,6\n");
-  Dataset all = all_of(data);
-  Workers workers(1);
-  const std::vector<Lever> all_levers = levers(all, {}, forecast(all, {}), workers);
   EXPECT_NE(lever_of(all_levers, causes::Target::force, "sheath"), nullptr);
   EXPECT_EQ(lever_of(all_levers, causes::Target::force, "tube and sheath"), nullptr);
 }
